@@ -67,10 +67,9 @@ void warn_of_plan(const study::Plan& plan) {
                plan.cases.size());
 }
 
-void tell_aside(const std::vector<std::filesystem::path>& aside) {
-  for (const std::filesystem::path& file : aside)
-    fmt::print(stderr, "note: not as the program wrote it, so it is kept as {}\n",
-               terminal_line(file.string()));
+void tell_aside(const std::filesystem::path& file) {
+  fmt::print(stderr, "note: not known to be as this program wrote it, so it is kept as {}\n",
+             terminal_line(file.string()));
 }
 
 /// `open`: addresses that are still to run.
@@ -139,7 +138,7 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
     if (!arguments->output.empty()) {
       const study::StudyFolder folder(arguments->output);
       const study::StudyLock lock(folder);
-      tell_aside(folder.write_plan(plan));
+      folder.write_plan(plan, tell_aside);
       const std::vector<std::string> left = folder.state(folder.read_plan()).open;
       open = {left.begin(), left.end()};
     }
@@ -169,13 +168,13 @@ bool goes_elsewhere(const Arguments& arguments) {
          !std::filesystem::equivalent(arguments.output, arguments.folder, error);
 }
 
-/// The page, from the results.
+/// The page, from the results. \pre nobody else writes into `to`
 study::StudyAnalysis write_report(const study::StudyFolder& folder, const std::filesystem::path& to,
-                                  Progress& progress) {
+                                  Progress& progress, const study::SetAside& tell) {
   study::StudyAnalysis analysis = study::analyse(study::read_study_data(folder));
   const study::Gallery gallery = study::make_gallery(folder, analysis.data.plan, progress);
-  tell_aside(study::write_report_files(to, study::study_html(analysis, gallery),
-                                       study::analysis_json(analysis)));
+  study::write_report_files(to, study::study_html(analysis, gallery),
+                            study::analysis_json(analysis), tell);
   return analysis;
 }
 
@@ -190,7 +189,7 @@ study::StudyAnalysis report_elsewhere(const study::StudyFolder& folder, const st
     study::bring_up(store, folder, plan);
   }
   Progress silent;
-  study::StudyAnalysis analysis = write_report(folder, files.path(), silent);
+  study::StudyAnalysis analysis = write_report(folder, files.path(), silent, tell_aside);
   files.commit();
   return analysis;
 }
@@ -205,8 +204,7 @@ void tell_troubles(const study::StudyData& data) {
   constexpr std::size_t kTold = 3;
   for (std::size_t i = 0; i < std::min(kTold, reasons.size()); ++i)
     fmt::print("{} × {}\n", reasons[i].second, terminal_line(reasons[i].first));
-  if (reasons.size() > kTold)
-    fmt::print("and {} other reasons, on the page under Failures\n", reasons.size() - kTold);
+  if (reasons.size() > kTold) fmt::print("and others, on the page under Failures\n");
 }
 
 int run(const Arguments& arguments) {
@@ -218,17 +216,23 @@ int run(const Arguments& arguments) {
   TerminalProgress shown(arguments.quiet);
   InterruptGuard guard(shown);
   study::StudyRun done;
+  study::StudyAnalysis analysis;
+  std::vector<std::string> kept;
   try {
-    done = study::run_study(plan, folder, options, arguments.executor == "slurm",
-                            arguments.retry_failed, shown);
+    const auto keep = [&](const std::filesystem::path& file) {
+      shown.clear();
+      tell_aside(file);
+      kept.push_back(file.string());
+    };
+    done = study::run_study(
+        plan, folder, options, arguments.executor == "slurm", arguments.retry_failed, shown,
+        {keep, [&] { analysis = write_report(folder, folder.path(), shown, keep); }});
   } catch (const Cancelled&) {
     shown.clear();
     fmt::print(stderr, "finished cases stay; the same command goes on where it stopped\n");
     throw;
   }
-  const study::StudyAnalysis analysis = write_report(folder, folder.path(), shown);
   shown.clear();
-  tell_aside(done.set_aside);
   const study::FolderState& state = done.state;
   if (arguments.json) {
     Json given_up = Json::array();
@@ -243,6 +247,7 @@ int run(const Arguments& arguments) {
                          {"failed", state.failed},
                          {"open", state.open.size()},
                          {"given_up", given_up},
+                         {"set_aside", kept},
                          {"seconds", done.seconds},
                          {"headlines", study::headlines(analysis)},
                          {"content_sha256", study::content_sha256(folder.database())}})
@@ -310,15 +315,15 @@ void make_status_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     if (arguments->json)
       return print_document(Json({{"cases", plan.cases.size()},
                                   {"done", state.done},
-                                  {"scored", study::scored_cases(folder, plan)},
+                                  {"scored", state.scored},
                                   {"sealed", state.sealed},
                                   {"failed", state.failed},
                                   {"open", state.open.size()}})
                                 .dump(1));
     fmt::print("{}: {}, {} have scores, {} sealed, {} failed, {} to run\n",
                terminal_line(plan.name),
-               study::counted(static_cast<int>(plan.cases.size()), "case", "cases"),
-               study::scored_cases(folder, plan), state.sealed, state.failed, state.open.size());
+               study::counted(static_cast<int>(plan.cases.size()), "case", "cases"), state.scored,
+               state.sealed, state.failed, state.open.size());
   });
 }
 
@@ -335,11 +340,12 @@ void make_report_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     const std::filesystem::path to = elsewhere ? arguments->output : arguments->folder;
     const study::StudyAnalysis analysis = [&] {
       if (elsewhere) return report_elsewhere(folder, arguments->output);
-      folder.read_plan();  // what is no study is told first
+      const study::FolderPlan plan = folder.read_plan();  // what is no study is told first
       need_leave_to_write(folder);
-      collect_results(folder);
+      const study::StudyLock lock(folder);
+      study::collect(folder, plan);
       Progress silent;
-      return write_report(folder, to, silent);
+      return write_report(folder, to, silent, tell_aside);
     }();
     if (arguments->json) return print_document(study::analysis_json(analysis));
     for (const std::string& sentence : study::headlines(analysis))

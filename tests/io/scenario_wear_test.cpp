@@ -62,6 +62,9 @@ TEST(ScenarioWear, ADrawnFirstDonningAsksForNoRepeats) {
   EXPECT_TRUE(again.donning.first_drawn);
   EXPECT_EQ(again.donning.repeats, 1);
   EXPECT_EQ(again.donning.seed, 5u);
+  // Addresses of cases of studies hang on this text.
+  EXPECT_EQ(scenario_toml(parse_scenario("[donning]\nrepeats = 2\n", "case.toml")).find("first ="),
+            std::string::npos);
   EXPECT_EQ(scenario_toml(again), scenario_toml(s));
   EXPECT_EQ(
       parse_scenario("[donning]\nfirst = \"drawn\"\nrepeats = 3\n", "case.toml").donning.repeats,

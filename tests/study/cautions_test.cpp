@@ -51,8 +51,9 @@ TEST(Cautions, AreGroupedAndTheCommonestComesFirst) {
   EXPECT_NE(cautions[0].example.find("denim hold: warp on 3 %"), std::string::npos);
   EXPECT_EQ(cautions[1].cases, 1);
   EXPECT_EQ(warned_cases(data), 3);
-  EXPECT_EQ(cautions_in_words(data), "3 of 4 cases carry warnings: see Cautions");
-  EXPECT_EQ(cautions_in_words(warned({{"a"}})), "1 of 1 case carries warnings: see Cautions");
+  EXPECT_EQ(cautions_in_words(data), "3 of 4 cases carry warnings: see Cautions on the page");
+  EXPECT_EQ(cautions_in_words(warned({{"a"}})),
+            "1 of 1 case carries warnings: see Cautions on the page");
   EXPECT_EQ(cautions_in_words(warned({{}, {}})), "");
   EXPECT_EQ(cautions_html(warned({{}})), "");
 }
@@ -76,7 +77,7 @@ TEST_F(StudyOnDisk, CautionsStandInPageReportAndHeadlines) {
   record.warnings = {"the waistband lies 0.13 m above the waist"};
   write_whole(folder.result_file(record.address), record_json(record));
   const StudyAnalysis analysis = analyse(read_study_data(folder));
-  EXPECT_EQ(headlines(analysis).back(), "1 of 12 cases carries warnings: see Cautions");
+  EXPECT_EQ(headlines(analysis).back(), "1 of 12 cases carries warnings: see Cautions on the page");
   const std::string page = study_html(analysis);
   const std::size_t at = page.find("<h2>Cautions</h2>");
   ASSERT_NE(at, std::string::npos);

@@ -12,6 +12,7 @@ namespace loosefit::study {
 namespace {
 
 namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
 
 class ReportFiles : public ::testing::Test {
  protected:
@@ -23,6 +24,13 @@ class ReportFiles : public ::testing::Test {
   void append(const std::string& name, const std::string& text) const {
     io::write_text_file((folder / name).string(), read(name) + text);
   }
+  /// Names that things have now that were set aside.
+  std::vector<std::string> write(const std::string& html, const std::string& json) const {
+    std::vector<std::string> aside;
+    write_report_files(folder, html, json,
+                       [&](const fs::path& file) { aside.push_back(file.filename().string()); });
+    return aside;
+  }
   int files() const {
     return static_cast<int>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -33,38 +41,53 @@ class ReportFiles : public ::testing::Test {
 };
 
 TEST_F(ReportFiles, TakeThePlaceOfTheirOwn) {
-  EXPECT_TRUE(write_report_files(folder, "<p>one</p>\n", "{1}").empty());
-  EXPECT_TRUE(write_report_files(folder, "<p>two</p>\n", "{2}").empty());
+  EXPECT_TRUE(write("<p>one</p>\n", "{1}").empty());
+  EXPECT_TRUE(write("<p>two</p>\n", "{2}").empty());
   EXPECT_EQ(read(document), "{2}");
   EXPECT_TRUE(read(page).starts_with("<p>two</p>\n<!-- Loosefit "));
   EXPECT_EQ(files(), 2);
 }
 
 TEST_F(ReportFiles, WhatSomebodyHasChangedIsSetAside) {
-  write_report_files(folder, "<p>one</p>\n", "{1}");
+  write("<p>one</p>\n", "{1}");
   append(page, "my note");
-  EXPECT_EQ(write_report_files(folder, "<p>two</p>\n", "{2}"),
-            std::vector<fs::path>{folder / (page + ".changed-1")});
+  EXPECT_EQ(write("<p>two</p>\n", "{2}"), Names{page + ".changed-1"});
   EXPECT_TRUE(read(page + ".changed-1").ends_with("my note"));
   append(document, "mine");
-  EXPECT_EQ(write_report_files(folder, "<p>two</p>\n", "{2}"),
-            std::vector<fs::path>{folder / (document + ".changed-1")});
+  EXPECT_EQ(write("<p>two</p>\n", "{2}"), Names{document + ".changed-1"});
   EXPECT_EQ(read(document + ".changed-1"), "{2}mine");
   // A note before the last line, and one in it.
   std::string text = read(page);
   io::write_text_file((folder / page).string(), "note" + text);
-  EXPECT_EQ(write_report_files(folder, "<p>two</p>\n", "{2}").size(), 1u);
+  EXPECT_EQ(write("<p>two</p>\n", "{2}").size(), 1u);
   text = read(page);
   io::write_text_file((folder / page).string(), text.substr(0, text.size() - 6) + "note -->\n");
-  EXPECT_GE(write_report_files(folder, "<p>two</p>\n", "{2}").size(), 1u);
-  EXPECT_TRUE(write_report_files(folder, "<p>two</p>\n", "{2}").empty());
+  EXPECT_EQ(write("<p>two</p>\n", "{2}"), Names{page + ".changed-3"});
+  EXPECT_TRUE(write("<p>two</p>\n", "{2}").empty());
   EXPECT_EQ(read(page + ".changed-2").substr(0, 4), "note");
+}
+
+TEST_F(ReportFiles, ADocumentWithoutItsPageIsKnownByItsText) {
+  write("<p>one</p>\n", "{1}");
+  fs::rename(folder / page, folder / "moved.html");
+  EXPECT_TRUE(write("<p>one</p>\n", "{1}").empty());
+  // As a process leaves it that was killed before the page.
+  io::write_text_file((folder / document).string(), "{2}");
+  EXPECT_TRUE(write("<p>two</p>\n", "{2}").empty());
+  io::write_text_file((folder / ("." + page + ".writing-7")).string(), "half");
+  EXPECT_TRUE(write("<p>two</p>\n", "{2}").empty());
+  EXPECT_EQ(files(), 3) << "page, document, and the page that was moved";
+  // A page that was cut off in its last line.
+  const std::string text = read(page);
+  io::write_text_file((folder / page).string(),
+                      text.substr(0, text.rfind(document) + document.size()));
+  EXPECT_EQ(write("<p>two</p>\n", "{2}"), Names{page + ".changed-1"});
 }
 
 TEST_F(ReportFiles, ForeignFilesOfTheirNamesStay) {
   io::write_text_file((folder / page).string(), "mine");
   io::write_text_file((folder / document).string(), "mine too");
-  EXPECT_EQ(write_report_files(folder, "<p>one</p>\n", "{1}").size(), 2u);
+  EXPECT_EQ(write("<p>one</p>\n", "{1}").size(), 2u);
   EXPECT_EQ(read(page + ".changed-1"), "mine");
   EXPECT_EQ(read(document + ".changed-1"), "mine too");
 }

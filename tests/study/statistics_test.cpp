@@ -23,6 +23,13 @@ std::vector<double> ladder(int n, double low, double high) {
   return values;
 }
 
+TEST(RobustScore, CountsAsFarFromAboveAsFromBelow) {
+  EXPECT_EQ(robust_index_from_above(1), 0u);
+  EXPECT_EQ(robust_index_from_above(20), 19u) << "of 20 people the worst";
+  EXPECT_EQ(robust_index_from_above(21), 19u);
+  EXPECT_EQ(robust_index_from_above(100), 95u);
+}
+
 TEST(Bootstrap, CoversTheMeanOfANormalSample) {
   int covered = 0;
   constexpr int trials = 400, n = 40;

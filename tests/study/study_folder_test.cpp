@@ -13,6 +13,15 @@
 namespace loosefit::study {
 namespace {
 
+using Paths = std::vector<fs::path>;
+
+/// Names that things have now that writing a plan has set aside.
+Paths set_aside_by(const StudyFolder& folder, const Plan& plan) {
+  Paths aside;
+  folder.write_plan(plan, [&](const fs::path& file) { aside.push_back(file); });
+  return aside;
+}
+
 // As a runner leaves it that is killed while it writes, after each of its files in turn.
 TEST_F(StudyOnDisk, APlanThatWasCutOffIsWrittenToItsEndAndNothingHalfWrittenStays) {
   const StudyFolder whole = planned("whole");
@@ -127,13 +136,13 @@ TEST_F(StudyOnDisk, AStudyFileThatSomebodyChangedIsSetAside) {
   const fs::path file = folder.path() / "study.toml";
   const std::string mine = std::string(kStudy) + "# my note\n";
   io::write_text_file(file.string(), mine);
-  EXPECT_EQ(folder.write_plan(plan), std::vector<fs::path>{file.string() + ".changed-1"});
+  EXPECT_EQ(set_aside_by(folder, plan), Paths{file.string() + ".changed-1"});
   EXPECT_EQ(io::read_text_file(file.string() + ".changed-1", 10000), mine);
   EXPECT_EQ(io::read_text_file(file.string(), 10000), kStudy);
-  EXPECT_TRUE(folder.write_plan(plan).empty());
+  EXPECT_TRUE(set_aside_by(folder, plan).empty());
   // What is asked for is no change, though the plan does not know it yet.
   io::write_text_file(file.string(), mine);
-  EXPECT_TRUE(folder.write_plan(make_plan(parse_study_file(mine, "mine.toml"))).empty());
+  EXPECT_TRUE(set_aside_by(folder, make_plan(parse_study_file(mine, "mine.toml"))).empty());
 }
 
 TEST_F(StudyOnDisk, AnotherStudyFileDoesNotTakeTheFolderOfADamagedPlan) {
@@ -149,7 +158,7 @@ TEST_F(StudyOnDisk, AnotherStudyFileDoesNotTakeTheFolderOfADamagedPlan) {
   EXPECT_THROW(folder.write_plan(other), InvalidInput);
   EXPECT_EQ(io::read_text_file((folder.path() / "study.toml").string(), 10000), kStudy);
   io::write_text_file(file.string(), "mine");
-  EXPECT_EQ(folder.write_plan(plan), std::vector<fs::path>{file.string() + ".damaged-1"});
+  EXPECT_EQ(set_aside_by(folder, plan), Paths{file.string() + ".damaged-1"});
   EXPECT_EQ(io::read_text_file(file.string() + ".damaged-1", 100), "mine");
 }
 

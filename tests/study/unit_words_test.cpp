@@ -44,7 +44,7 @@ struct Sentences : StudyOnDisk {
       if (!untold.empty()) record.untold["imu-uncalibrated"] = untold;
       write_whole(folder.result_file(record.address), record_json(record));
     }
-    EXPECT_EQ(scored_cases(folder, folder.read_plan()), read_study_data(folder).scored);
+    EXPECT_EQ(folder.state(folder.read_plan()).scored, read_study_data(folder).scored);
     return analyse(read_study_data(folder));
   }
   static std::string first(const StudyAnalysis& analysis) { return headlines(analysis).at(0); }
@@ -75,7 +75,8 @@ TEST_F(Sentences, OfPeopleWhoWereDrawn) {
   std::vector<double> scores(21, 0.97);
   scores[3] = 0.91;  // the second least is the 5th percentile of 21
   scores[4] = 0.92;
-  EXPECT_TRUE(has(first(of(drawn(21), scores)), "of 21 people pass there, 95 % score above 0.92"));
+  EXPECT_TRUE(
+      has(first(of(drawn(21), scores)), "of 21 people pass there, 95 % score 0.92 or more"));
   const nlohmann::json json = nlohmann::json::parse(analysis_json(few));
   EXPECT_EQ(json["people"], 4);
   EXPECT_EQ(json["units"], "people");
@@ -161,7 +162,8 @@ TEST_F(Sentences, CutNoNegativeScoreToAPositiveOne) {
   EXPECT_TRUE(has(sentence, "the lowest score is 0 (-0.22 before it is cut off)")) << sentence;
   std::vector<double> scores(21, 0.95);
   scores[0] = scores[1] = -0.5;
-  EXPECT_TRUE(has(first(of(drawn(21), scores)), "5 % score 0 (-0.50 before it is cut off)"));
+  EXPECT_TRUE(
+      has(first(of(drawn(21), scores)), "5 % or more score 0 (-0.50 before it is cut off)"));
 }
 
 TEST_F(Sentences, CountCasesThatHaveAScoreAndNotThoseThatAreDone) {
@@ -177,16 +179,61 @@ TEST_F(Sentences, CountCasesThatHaveAScoreAndNotThoseThatAreDone) {
 }
 
 TEST_F(Sentences, TellWhatIsLackingWhereNothingIsRated) {
-  const StudyAnalysis analysis = of(drawn(2), {kNaN, kNaN}, {"coe_rms_deg"});
+  // As a case leaves it that can tell nothing of a scorecard: its only criterion needs postures.
+  fs::create_directories(base);
+  const std::string inclination = "[study]\nname = \"x\"\nmodalities = [\"imu-inclination\"]\n";
+  const Plan made = make_plan(parse_study_file(inclination + drawn(2), (base / "x.toml").string()));
+  const StudyFolder folder(base / "untold");
+  folder.write_plan(made);
+  for (const PlannedCase& one : made.cases) {
+    CaseRecord record = made_up(one.address, 0);
+    record.samples.clear();
+    record.sites.front().modality = "imu-inclination";
+    record.untold["imu-inclination"] = {"coe_rms_deg"};
+    write_whole(folder.result_file(record.address), record_json(record));
+  }
+  const StudyAnalysis analysis = analyse(read_study_data(folder));
   EXPECT_EQ(analysis.data.scored, 0);
-  EXPECT_EQ(first(analysis), "imu-uncalibrated: needs several postures: nothing is rated");
+  EXPECT_EQ(first(analysis), "imu-inclination: needs several postures: nothing is rated");
+  EXPECT_TRUE(has(analysis.data.troubles.at(0).reason, "imu-inclination lacks "))
+      << analysis.data.troubles.at(0).reason;
+  EXPECT_TRUE(has(analysis.data.troubles.at(0).reason, "postures"));
   const std::string page = study_html(analysis);
   EXPECT_TRUE(has(page, "needs several postures: nothing is rated"));
   EXPECT_FALSE(has(page, "upper bounds"));
   EXPECT_FALSE(has(page, "coe_rms_deg"));
   EXPECT_FALSE(has(page, "100 %"));
   EXPECT_EQ(first(of(drawn(2), {kNaN, kNaN})), "imu-uncalibrated: no site could be rated");
+  // What is lacking is another criterion: postures would not help.
+  EXPECT_EQ(first(of(drawn(2), {kNaN, kNaN}, {"coe_rms_deg"})),
+            "imu-uncalibrated: no site could be rated");
   EXPECT_TRUE(has(study_html(of(drawn(2), {0.95, 0.95}, {"coe_rms_deg"})), "upper bounds"));
+}
+
+TEST_F(Sentences, TellWhatSomeCasesCannotTell) {
+  of(drawn(2), {0.95, 0.95});
+  const StudyFolder folder(base / "of");
+  CaseRecord record = *folder.record(folder.read_plan().cases.front().address);
+  record.untold["imu-uncalibrated"] = {"coe_rms_deg"};
+  write_whole(folder.result_file(record.address), record_json(record));
+  const StudyAnalysis analysis = analyse(read_study_data(folder));
+  EXPECT_TRUE(analysis.modalities[0].untold.empty());
+  EXPECT_EQ(analysis.modalities[0].untold_in_part, std::vector<std::string>{"coe_rms_deg"});
+  EXPECT_TRUE(has(study_html(analysis), "Not told by some cases"));
+}
+
+TEST_F(Sentences, OfComfortForAllCountTheWorst) {
+  // 20 people, of whom one is pressed.
+  of(drawn(20) + kOnlyFits, std::vector<double>(40, 0.95));
+  const StudyFolder folder(base / "of");
+  for (const FolderCase& one : folder.read_plan().cases)
+    if (one.levels[0] == 7) {
+      CaseRecord record = *folder.record(one.address);
+      record.garment["uncomfortable_share"] = 0.5;
+      write_whole(folder.result_file(record.address), record_json(record));
+    }
+  EXPECT_EQ(headlines(analyse(read_study_data(folder))).back(),
+            "comfort: for 95 % of people not comfortable at any fit tried");
 }
 
 TEST_F(Sentences, ShowNoCorrelationOfFewPeople) {

@@ -64,7 +64,7 @@ def percent(part):
 
 def day_of(file):
     """The day on which a result was written."""
-    return datetime.date.fromtimestamp(file.stat().st_mtime).isoformat()
+    return datetime.datetime.fromtimestamp(file.stat().st_mtime, datetime.timezone.utc).date().isoformat()
 
 
 def made_by(records):

@@ -140,12 +140,13 @@ std::string wear_toml(const scenario::Scenario& scenario) {
   std::vector<std::string> movements;
   for (const std::string& name : d.movements) movements.push_back(toml_quoted(name));
   text += fmt::format("\n[donning]\nmovements = [{}]\nrepeats = {}\n", join(movements), d.repeats);
+  // Left out where it is as usual: what names the cases of studies stays as it was.
+  if (d.first_drawn) text += "first = \"drawn\"\n";
   if (d.repeats > 1 || d.first_drawn)
     text += fmt::format(
-        "first = \"{}\"\nmovement_spread = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\n"
-        "seed = {}\n",
-        d.first_drawn ? "drawn" : "undisturbed", shortest(d.movement_spread), shortest(d.shift),
-        degrees_text(d.twist), shortest(d.friction_spread), d.seed);
+        "movement_spread = {}\nshift = {}\ntwist_deg = {}\nfriction_spread = {}\nseed = {}\n",
+        shortest(d.movement_spread), shortest(d.shift), degrees_text(d.twist),
+        shortest(d.friction_spread), d.seed);
   return text;
 }
 

@@ -117,7 +117,11 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
   result.title = card.title;
   result.pass = card.pass;
   if (const auto untold = data.untold.find(name); untold != data.untold.end())
-    result.untold = untold->second;
+    for (const auto& [metric, cases] : untold->second)
+      (cases == data.done ? result.untold : result.untold_in_part).push_back(metric);
+  result.tellable = std::ranges::any_of(card.criteria, [&](const placement::Criterion& c) {
+    return std::ranges::count(result.untold, c.metric) == 0;
+  });
   result.rated = rated_units(data, name);
   const auto found = data.sites.find(name);
   if (found == data.sites.end()) return result;
@@ -168,7 +172,8 @@ ComfortLimit comfort_of(const StudyData& data) {
       continue;
     }
     known.push_back(data.level_bgm[level]);
-    worst.push_back(quantile(shares, 1 - kRobustPeople));
+    std::ranges::sort(shares);
+    worst.push_back(shares[robust_index_from_above(shares.size())]);
     comfort.worst_share.push_back(worst.back());
   }
   comfort.limit = known.empty() ? kNotKnown : least_within(known, worst, kUncomfortableArea);
@@ -212,16 +217,17 @@ bool any_case_passes(const StudyData& data, const ModalityAnalysis& modality) {
          });
 }
 
-/// "95 % score above 0.61", "the lowest score is 0.42"; of a robust score below 0, that it is cut
+/// "95 % score 0.61 or more", "the lowest score is 0.42"; of a robust score below 0, that it is cut
 /// off.
 std::string robust_in_words(const SitePopulation& site, UnitKind kind) {
   const double shown = std::clamp(site.p5, 0.0, 1.0);
   if (site.rated <= kWorstIsRobust)
     return site.p5 < 0 ? fmt::format("the lowest score is 0 ({:.2f} before it is cut off)", site.p5)
                        : fmt::format("the lowest score is {:.2f}", shown);
-  const std::string share = kind == UnitKind::people ? "5 %" : "5 % of the " + column_name(kind);
+  const std::string share =
+      kind == UnitKind::people ? "5 % or more" : "5 % or more of the " + column_name(kind);
   if (site.p5 < 0) return share + fmt::format(" score 0 ({:.2f} before it is cut off)", site.p5);
-  if (kind == UnitKind::people) return fmt::format("95 % score above {:.2f}", shown);
+  if (kind == UnitKind::people) return fmt::format("95 % score {:.2f} or more", shown);
   return fmt::format("the 5th percentile of their scores is {:.2f}", shown);
 }
 
@@ -304,15 +310,13 @@ std::string in_words(const ComfortLimit& comfort) {
   return unknown.empty() ? text : text + "; not known at " + join(unknown);
 }
 
-std::string nothing_rated(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
+std::string nothing_rated(const ModalityAnalysis& modality) {
   std::vector<std::string> needs;
   for (const std::string& metric : modality.untold)
     if (const placement::MetricName* name = placement::find_metric(metric);
         name && !name->needs.empty() && std::ranges::count(needs, name->needs) == 0)
       needs.push_back(name->needs);
-  // Without a sample nothing is known of what a score would need.
-  if (needs.empty() || !analysis.data.sampled.contains(modality.name))
-    return "no site could be rated";
+  if (modality.tellable || needs.empty()) return "no site could be rated";
   return "needs " + join(needs, " and ") + ": nothing is rated";
 }
 
@@ -321,7 +325,7 @@ std::vector<std::string> headlines(const StudyAnalysis& analysis) {
   std::vector<std::string> sentences;
   for (const ModalityAnalysis& modality : analysis.modalities)
     sentences.push_back(modality.name + ": " +
-                        (modality.rated == 0          ? nothing_rated(analysis, modality)
+                        (modality.rated == 0          ? nothing_rated(modality)
                          : modality.how_loose.empty() ? of_ranking(data, modality)
                                                       : of_looseness(analysis, modality)));
   if (analysis.comfort && data.done > 0)

@@ -25,8 +25,11 @@ struct Sensitivity {
 struct ModalityAnalysis {
   std::string name, title;
   double pass = 0.5;
-  std::vector<std::string> untold;  ///< criteria that the study cannot tell: scores are bounds
-  int rated = 0;                    ///< units that have a score at some site
+  std::vector<std::string> untold;  ///< criteria that no case can tell: scores are bounds
+  /// Those that some cases alone cannot tell: the scores of these are bounds, those of others none.
+  std::vector<std::string> untold_in_part;
+  bool tellable = true;  ///< some criterion is told; else nothing can be rated
+  int rated = 0;         ///< units that have a score at some site
   /// Per level of looseness, and last over all of them where there are several.
   std::vector<std::vector<SitePopulation>> rankings;
   std::vector<std::vector<MetricPercentiles>> metrics;  ///< by level as `rankings`
@@ -66,7 +69,7 @@ std::string in_words(const ComfortLimit& comfort);
 
 /// Why a modality without a score has none: "needs several postures: nothing is rated", "no site
 /// could be rated".
-std::string nothing_rated(const StudyAnalysis& analysis, const ModalityAnalysis& modality);
+std::string nothing_rated(const ModalityAnalysis& modality);
 
 /// One sentence per modality: the site that may be loosest, or ranks first; where none works, the
 /// nearest, or that nobody passes anywhere. Then the comfort limit, in studies of looseness, and

@@ -85,15 +85,11 @@ Json how_loose_json(const HowLoose& answer) {
 }
 
 Json modality_json(const ModalityAnalysis& modality, const StudyData& data) {
-  Json json = {{"title", modality.title},
-               {"pass", modality.pass},
-               {"not_told", modality.untold},
-               {"rankings", Json::array()},
-               {"how_loose", Json::object()},
-               {"sensors", Json::array()},
-               {"sensitivity", Json::array()},
-               {"limiting", modality.limiting},
-               {"metric_percentiles", Json::array()}};
+  Json json = {{"title", modality.title},       {"pass", modality.pass},
+               {"not_told", modality.untold},   {"not_told_in_part", modality.untold_in_part},
+               {"rankings", Json::array()},     {"how_loose", Json::object()},
+               {"sensors", Json::array()},      {"sensitivity", Json::array()},
+               {"limiting", modality.limiting}, {"metric_percentiles", Json::array()}};
   const auto at_level = [&](std::size_t k, const char* key, Json rows) {
     return Json{{"level", k < data.level_labels.size() ? data.level_labels[k] : "all"},
                 {"bgm", k < data.level_bgm.size() ? number(data.level_bgm[k]) : Json(nullptr)},

@@ -1,5 +1,6 @@
 #include "loosefit/study/case_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -171,6 +172,12 @@ const char* name(CaseStatus status) {
       return "failed";
   }
   return "?";
+}
+
+bool is_scored(const CaseRecord& record) {
+  return record.status == CaseStatus::done &&
+         std::ranges::any_of(record.samples,
+                             [](const SampleRecord& sample) { return !std::isnan(sample.margin); });
 }
 
 bool of_another_build(const CaseRecord& record) {

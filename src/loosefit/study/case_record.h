@@ -86,6 +86,9 @@ struct CaseRecord {
   Execution execution;
 };
 
+/// Whether a sample of it is rated, by any modality.
+bool is_scored(const CaseRecord& record);
+
 /// Whether a build of the program other than this one made it (base/build_id.h).
 bool of_another_build(const CaseRecord& record);
 

@@ -111,7 +111,7 @@ int warned_cases(const StudyData& data) {
 std::string cautions_in_words(const StudyData& data) {
   const int warned = warned_cases(data);
   if (warned == 0) return {};
-  return fmt::format("{} of {} {} warnings: see Cautions", warned,
+  return fmt::format("{} of {} {} warnings: see Cautions on the page", warned,
                      counted(data.ran, "case", "cases"), warned == 1 ? "carries" : "carry");
 }
 

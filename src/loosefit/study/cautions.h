@@ -21,7 +21,8 @@ inline constexpr int kLeadingWords = 8;
 
 /// Cases that carry a warning.
 int warned_cases(const StudyData& data);
-/// "3 of 4 cases carry warnings: see Cautions" of cases that have run; empty without one.
+/// "3 of 4 cases carry warnings: see Cautions on the page" of cases that have run; empty without
+/// one.
 std::string cautions_in_words(const StudyData& data);
 
 /// Every figure becomes #, with its sign and exponent; digits of a word ("C7") stay.

@@ -58,8 +58,7 @@ Percentiles percentiles_of(const std::vector<double>& ascending) {
   const std::size_t n = ascending.size();
   if (n == 0) return {};
   return {0.5 * (ascending[(n - 1) / 2] + ascending[n / 2]),
-          ascending[quantile_index(n, kRobustPeople)],
-          ascending[quantile_index(n, 1 - kRobustPeople)]};
+          ascending[quantile_index(n, kRobustPeople)], ascending[robust_index_from_above(n)]};
 }
 
 /// How often each unit is in each draw of a bootstrap.

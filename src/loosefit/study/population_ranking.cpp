@@ -48,6 +48,10 @@ bool better(const Key& a, const Key& b) {
 
 }  // namespace
 
+std::size_t robust_index_from_above(std::size_t n) {
+  return n - 1 - quantile_index(n, kRobustPeople);
+}
+
 double robust_score(const std::vector<double>& scores) { return key_of(rated(scores)).robust; }
 
 double robust_score(const std::vector<double>& scores, const std::vector<int>& draw) {

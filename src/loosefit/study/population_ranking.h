@@ -28,6 +28,10 @@ struct SiteScores {
 double robust_score(const std::vector<double>& scores);
 double robust_score(const std::vector<double>& scores, const std::vector<int>& draw);
 
+/// Of n > 0 ascending values of people the one that the robust score is of descending ones: the
+/// ⌈0.05 n⌉-th greatest, so that of 20 people it is the worst.
+std::size_t robust_index_from_above(std::size_t n);
+
 struct SitePopulation {
   std::string site;
   int rated = 0, people = 0;

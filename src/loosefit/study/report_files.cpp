@@ -36,25 +36,28 @@ MarkedPage page_in(const fs::path& folder) {
   if (at == std::string::npos || named == std::string::npos || named < at) return {};
   constexpr std::size_t kDigits = 64;
   MarkedPage page;
-  page.json_digest = text.substr(named + std::string(kDocument).size() + 1, kDigits);
+  const std::size_t from = named + std::string(kDocument).size() + 1;
+  if (from > text.size()) return {};
+  page.json_digest = text.substr(from, kDigits);
   page.is_whole = text.substr(at) == mark_of(text.substr(0, at), page.json_digest);
   return page;
 }
 
 }  // namespace
 
-std::vector<fs::path> write_report_files(const fs::path& folder, const std::string& html,
-                                         const std::string& json) {
+void write_report_files(const fs::path& folder, const std::string& html, const std::string& json,
+                        const SetAside& tell) {
+  for (const char* name : {kPage, kDocument}) remove_left_overs(folder / name);
   const MarkedPage before = page_in(folder);
-  std::vector<fs::path> aside;
-  if (io::is_there(folder / kPage) && !before.is_whole)
-    aside.push_back(set_aside(folder / kPage, "changed"));
-  if (io::is_there(folder / kDocument) && io::plain_digest(folder, kDocument) != before.json_digest)
-    aside.push_back(set_aside(folder / kDocument, "changed"));
-  // The page last: it speaks of both.
+  const std::string digest = sha256_hex(json);
+  if (io::is_there(folder / kPage) && !before.is_whole) tell(set_aside(folder / kPage, "changed"));
+  // The same text is what a killed process has left, or stood beside a page that was moved away.
+  if (io::is_there(folder / kDocument))
+    if (const auto there = io::plain_digest(folder, kDocument);
+        there != before.json_digest && there != digest)
+      tell(set_aside(folder / kDocument, "changed"));
   write_whole(folder / kDocument, json);
-  write_whole(folder / kPage, html + mark_of(html, sha256_hex(json)));
-  return aside;
+  write_whole(folder / kPage, html + mark_of(html, digest));
 }
 
 }  // namespace loosefit::study

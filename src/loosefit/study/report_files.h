@@ -1,16 +1,16 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <vector>
+
+#include "loosefit/study/set_aside.h"
 
 namespace loosefit::study {
 
 /// Writes study-report.html and study-report.json into a folder that is there. The page ends with
-/// the digests of both, by which they are known as they were written: what somebody has changed
-/// since, or written, is set aside first as NAME.changed-1 … Returns the names that it has now.
-/// \throws IoError
-std::vector<std::filesystem::path> write_report_files(const std::filesystem::path& folder,
-                                                      const std::string& html,
-                                                      const std::string& json);
+/// the digests of both, by which they are known as they were written: what is not known so, as
+/// somebody has changed or written it, is set aside first as NAME.changed-1 … Nobody else may write
+/// there meanwhile. \throws IoError
+void write_report_files(const std::filesystem::path& folder, const std::string& html,
+                        const std::string& json, const SetAside& tell);
 
 }  // namespace loosefit::study

@@ -24,7 +24,8 @@ double seconds_since(Clock::time_point start) {
 /// Share done and time left, by the work that cases were estimated to be.
 class Forecast {
  public:
-  Forecast(const Plan& plan, const std::vector<std::string>& open) : work_(estimated_work(plan)) {
+  Forecast(const Plan& plan, const std::vector<std::string>& open)
+      : work_(estimated_work(plan)), scores_(!plan.study.modalities.empty()) {
     for (const std::string& address : open) all_ += work_[address];
     count_ = static_cast<int>(open.size());
   }
@@ -32,7 +33,7 @@ class Forecast {
   void finished(const CaseRecord& record, Progress& progress) {
     done_ += work_[record.address];
     ++ended_;
-    trouble_ += record.status != CaseStatus::done;
+    trouble_ += scores_ ? !is_scored(record) : record.status != CaseStatus::done;
     std::string note = fmt::format("{} of {} cases", ended_, count_);
     if (trouble_ > 0) note += fmt::format(", {} without scores", trouble_);
     if (ended_ < count_)
@@ -42,6 +43,7 @@ class Forecast {
 
  private:
   std::map<std::string, double> work_;
+  bool scores_;  ///< some are asked for
   double all_ = 0, done_ = 0;
   int count_ = 0, ended_ = 0, trouble_ = 0;
   Clock::time_point start_ = Clock::now();
@@ -75,12 +77,12 @@ std::vector<std::string> longest_first(const Plan& plan, std::vector<std::string
 }
 
 StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOptions& options,
-                   bool slurm, bool retry_failed, Progress& progress) {
+                   bool slurm, bool retry_failed, Progress& progress, const RunHooks& hooks) {
   const auto start = Clock::now();
   const StudyLock lock(folder);
   progress.stage("plan");
   StudyRun run;
-  run.set_aside = folder.write_plan(plan);
+  folder.write_plan(plan, hooks.set_aside);
   const FolderPlan planned = folder.read_plan();
   if (retry_failed) folder.forget_failed(planned);
   collect(folder, planned);
@@ -101,6 +103,7 @@ StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOpti
   }
   run.state = folder.state(planned);
   run.seconds = seconds_since(start);
+  hooks.at_end();
   return run;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,8 +16,13 @@ struct StudyRun {
   /// Earlier results that another build of the program made: an address knows its version only.
   int of_other_builds = 0;
   std::vector<GivenUp> given_up;
-  std::vector<std::filesystem::path> set_aside;  ///< by StudyFolder::write_plan
   double seconds = 0;
+};
+
+/// What is to be done while the folder is locked.
+struct RunHooks {
+  SetAside set_aside = [](const auto&) {};
+  std::function<void()> at_end = [] {};  ///< once database and results are whole
 };
 
 /// `loosefit study run`: writes the plan into the folder, runs what of it has no result yet, and
@@ -25,7 +30,7 @@ struct StudyRun {
 /// \throws InvalidInput when another runner works on the folder; IoError; Cancelled. In all cases
 /// what has finished stays and is not run again.
 StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOptions& options,
-                   bool slurm, bool retry_failed, Progress& progress);
+                   bool slurm, bool retry_failed, Progress& progress, const RunHooks& hooks = {});
 
 /// These cases, those with the most estimated work first and controls counted twice, so that no
 /// worker is left with a long one at the end (Graham 1969); in the order given where that is equal.

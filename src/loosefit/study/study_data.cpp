@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/placement/metric_names.h"
 
 namespace loosefit::study {
 namespace {
@@ -14,20 +16,18 @@ namespace {
 /// Of a sampled looseness axis: enough for a curve, each with a fifth of the cases.
 constexpr int kBins = 5;
 
-bool is_scored(const CaseRecord& record) {
-  return record.status == CaseStatus::done &&
-         std::ranges::any_of(record.samples,
-                             [](const SampleRecord& sample) { return !std::isnan(sample.margin); });
-}
-
 /// Why a case that is done has no score.
 std::string why_unscored(const CaseRecord& record) {
   for (const SampleRecord& sample : record.samples)
     if (!sample.reason.empty()) return sample.reason;
   if (record.drapes_counted == 0 && !record.left_out.empty()) return "no drape counts";
-  for (const SiteRecord& site : record.sites)
-    if (!site.not_covered.empty()) return site.site + ": " + site.not_covered;
-  return record.sites.empty() ? "no site was found" : "no sample has a score";
+  if (record.sites.empty()) return "no site was found";
+  if (std::ranges::none_of(record.sites, &std::string::empty, &SiteRecord::not_covered))
+    return record.sites.front().site + ": " + record.sites.front().not_covered;
+  for (const auto& [modality, metrics] : record.untold)
+    if (!metrics.empty())
+      return modality + " lacks " + placement::metric_with_need(metrics.front());
+  return "no sample has a score";
 }
 
 /// Whether units of any table are rated.
@@ -160,7 +160,9 @@ class Collector {
     else if (!data_.modalities.empty())
       data_.troubles.push_back(
           {one.number, label(data_.plan, one), "no scores", why_unscored(*record)});
-    for (const auto& [modality, criteria] : record->untold) data_.untold[modality] = criteria;
+    for (const auto& [modality, criteria] : record->untold)
+      for (const std::string& metric : std::set(criteria.begin(), criteria.end()))
+        ++data_.untold[modality][metric];
     if (const auto share = record->garment.find("uncomfortable_share");
         share != record->garment.end())
       data_.uncomfortable_share[c] = share->second;
@@ -174,7 +176,6 @@ class Collector {
     }
     std::map<std::string, std::map<std::string, std::pair<double, int>>> sums;  // by site, metric
     for (const SampleRecord& sample : record->samples) {
-      data_.sampled.insert(sample.modality);
       SiteTable& table = table_of(sample.modality, sample.site);
       double& lowest = table.by_case[c];
       if (std::isnan(lowest) || sample.margin < lowest) lowest = sample.margin;
@@ -236,18 +237,6 @@ int asked_units(const StudyData& data, int level) {
   for (std::size_t c = 0; c < data.unit_of_case.size(); ++c)
     if (data.level_of_case[c] == level) asked.insert(data.unit_of_case[c]);
   return static_cast<int>(asked.size());
-}
-
-int scored_cases(const StudyFolder& folder, const FolderPlan& plan) {
-  std::map<std::string, bool> seen;
-  int scored = 0;
-  for (const FolderCase& one : plan.cases) {
-    auto [known, is_new] = seen.try_emplace(one.address, false);
-    if (is_new)
-      if (const auto record = folder.record(plan, one.address)) known->second = is_scored(*record);
-    scored += known->second;
-  }
-  return scored;
 }
 
 bool is_sample(const StudyData& data) {

@@ -32,9 +32,10 @@ struct SiteTable {
 struct StudyData {
   FolderPlan plan;
   std::vector<std::string> modalities;
-  std::map<std::string, std::vector<SiteTable>> sites;     ///< by modality
-  std::map<std::string, std::vector<std::string>> untold;  ///< by modality
-  std::vector<int> unit_of_case, level_of_case;            ///< indices
+  std::map<std::string, std::vector<SiteTable>> sites;  ///< by modality
+  /// By modality the criteria that cases cannot tell: how many of those that are done.
+  std::map<std::string, std::map<std::string, int>> untold;
+  std::vector<int> unit_of_case, level_of_case;  ///< indices
   std::vector<std::string> units;
   std::vector<double> level_bgm;  ///< NaN for the one level of a study without looseness
   std::vector<std::string> level_labels;
@@ -42,7 +43,6 @@ struct StudyData {
   std::vector<std::map<std::string, double>> inputs;  ///< per case
   std::vector<CaseTrouble> troubles;
   std::vector<std::vector<std::string>> warnings;  ///< per case
-  std::set<std::string> sampled;                   ///< modalities that have samples, rated or not
   int ran = 0;                                     ///< cases that have ended, well or not
   int done = 0;                                    ///< cases at rest and worn
   int scored = 0;           ///< cases of which a sample is rated, by any modality
@@ -63,10 +63,6 @@ int rated_units(const StudyData& data, const std::string& modality);
 /// How many units could be rated at a level (−1: over all levels): all people, also those whom a
 /// design gave no case there; without an axis of people the cases at that level.
 int asked_units(const StudyData& data, int level);
-
-/// Cases of which a sample is rated, as `scored`, without the rest of the data. \throws as
-/// StudyFolder.
-int scored_cases(const StudyFolder& folder, const FolderPlan& plan);
 
 /// Whether the units are a random sample of a population: people that were drawn, not spread evenly
 /// or listed in a file, and not cases of one body.

@@ -15,7 +15,6 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/study/set_aside.h"
 
 namespace loosefit::study {
 namespace fs = std::filesystem;
@@ -248,21 +247,22 @@ void StudyFolder::check_same_study(const Plan& plan,
       "name = \"" + printable(before->name) + "\" in [study] if it is the same one, changed");
 }
 
-std::vector<fs::path> StudyFolder::write_plan(const Plan& plan) const {
+void StudyFolder::write_plan(const Plan& plan, const SetAside& tell) const {
   check_ours();
   const std::optional<FolderPlan> before = plan_before();
   check_same_study(plan, before);
-  std::vector<fs::path> aside;
   const fs::path plan_file = path_ / "plan.json", study_file = path_ / "study.toml";
-  if (!before && io::is_there(plan_file)) aside.push_back(set_aside(plan_file, "damaged"));
+  if (!before && io::is_there(plan_file)) tell(set_aside(plan_file, "damaged"));
   if (before && io::is_there(study_file))
     if (const auto there = io::plain_digest(path_, "study.toml");
         there != before->file_sha256 && there != sha256_hex(plan.study.text))
-      aside.push_back(set_aside(study_file, "changed"));
-  // The plan first: it marks the folder as a study, also when the rest is cut off.
+      tell(set_aside(study_file, "changed"));
+  // The plan first where there is none: it marks the folder as a study, also when the rest is cut
+  // off.
   make_folders(path_);
+  if (before) write_planned(study_file, plan.study.text);  // else the old one looks changed
   write_planned(plan_file, plan_json(plan).dump(1) + "\n");
-  write_planned(study_file, plan.study.text);
+  if (!before) write_planned(study_file, plan.study.text);
   std::set<std::string> written;
   for (const PlannedCase& one : plan.cases) {
     if (!written.insert(one.address).second) continue;
@@ -273,7 +273,6 @@ std::vector<fs::path> StudyFolder::write_plan(const Plan& plan) const {
     make_folders(file.parent_path());
     write_planned(file, one.toml);
   }
-  return aside;
 }
 
 FolderPlan StudyFolder::read_plan() const {
@@ -333,20 +332,26 @@ std::optional<CaseRecord> StudyFolder::record(const FolderPlan& plan,
 }
 
 FolderState StudyFolder::state(const FolderPlan& plan) const {
+  struct Seen {
+    std::optional<CaseStatus> status;
+    bool scored = false;
+  };
   FolderState state;
-  std::map<std::string, std::optional<CaseStatus>> seen;
+  std::map<std::string, Seen> all;
   for (const FolderCase& one : plan.cases) {
-    auto [known, is_new] = seen.try_emplace(one.address);
+    auto [known, is_new] = all.try_emplace(one.address);
+    Seen& seen = known->second;
     if (is_new) {
       if (const auto found = record(plan, one.address))
-        known->second = found->status;
+        seen = {found->status, is_scored(*found)};
       else
         state.open.push_back(one.address);
     }
-    if (!known->second) continue;
-    state.done += *known->second == CaseStatus::done;
-    state.sealed += *known->second == CaseStatus::sealed;
-    state.failed += *known->second == CaseStatus::failed;
+    if (!seen.status) continue;
+    state.done += *seen.status == CaseStatus::done;
+    state.scored += seen.scored;
+    state.sealed += *seen.status == CaseStatus::sealed;
+    state.failed += *seen.status == CaseStatus::failed;
   }
   return state;
 }

@@ -8,6 +8,7 @@
 #include "loosefit/io/plain_files.h"
 #include "loosefit/study/case_record.h"
 #include "loosefit/study/plan.h"
+#include "loosefit/study/set_aside.h"
 
 // The folder of a study:
 //
@@ -51,6 +52,7 @@ struct FolderPlan {
 struct FolderState {
   std::vector<std::string> open;  ///< addresses without a whole result, each once, in case order
   int done = 0, sealed = 0, failed = 0;  ///< cases
+  int scored = 0;                        ///< of the done ones, those with a rated sample
 };
 
 class StudyFolder {
@@ -72,9 +74,10 @@ class StudyFolder {
   /// Writes study.toml, plan.json and the scenarios that are not there as they are; a folder that
   /// is there must be empty or this study: one of its name, or with a case of it; where its
   /// plan.json cannot be read, one of the same study file. Results of earlier plans stay. A
-  /// study.toml that somebody has changed and a plan.json that cannot be read are set aside;
-  /// returns the names that they have now. \throws IoError, InvalidInput.
-  std::vector<std::filesystem::path> write_plan(const Plan& plan) const;
+  /// study.toml that somebody has changed and a plan.json that cannot be read are set aside.
+  /// \throws IoError, InvalidInput.
+  void write_plan(
+      const Plan& plan, const SetAside& tell = [](const auto&) {}) const;
   /// \throws InvalidInput when the folder is no study.
   FolderPlan read_plan() const;
   /// The record of a case as it lies there; nothing when it has not run.

@@ -402,13 +402,20 @@ std::string gallery_section(const Gallery& gallery) {
              gallery.cases, report::base64(gallery.png));
 }
 
-/// What scores are bounds of, or why there are none.
-std::string bounds_text(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
-  const std::string untold = join(modality.untold);
-  if (modality.rated > 0)
-    return "Not told by this study, so the scores are upper bounds: " + untold;
-  return modality.name + ": " + nothing_rated(analysis, modality) +
-         (untold.empty() ? "." : ". Not told by this study: " + untold);
+/// What scores are bounds of, or why there are none; empty where all is told.
+std::string bounds_text(const ModalityAnalysis& modality) {
+  const std::string untold = join(modality.untold), in_part = join(modality.untold_in_part);
+  std::string text;
+  if (modality.rated == 0)
+    text = modality.name + ": " + nothing_rated(modality) +
+           (untold.empty() ? "." : ". Not told by this study: " + untold + ".");
+  else if (!untold.empty())
+    text = "Not told by this study, so the scores are upper bounds: " + untold + ".";
+  if (!in_part.empty())
+    text +=
+        (text.empty() ? "" : " ") +
+        ("Not told by some cases, whose scores are upper bounds among others: " + in_part + ".");
+  return text;
 }
 
 }  // namespace
@@ -419,7 +426,7 @@ std::string distribution_svg(const std::vector<SiteScores>& sites, double pass) 
   const auto at = [&](double s) {
     return kLeft + std::clamp(s, 0.0, 1.0) * (kWidth - kLeft - kRight);
   };
-  std::string svg = report::svg_open(kWidth, bottom + kBottom, "scores of people by site");
+  std::string svg = report::svg_open(kWidth, bottom + kBottom, "scores by site");
   for (int tick = 0; tick <= 5; ++tick) {
     svg += report::svg_line(at(0.2 * tick), kTop, at(0.2 * tick), bottom, "stroke=\"#e3e7eb\"");
     svg += report::svg_text(at(0.2 * tick), bottom + 14, "middle", fixed(0.2 * tick, 1));
@@ -451,9 +458,8 @@ std::string study_html(const StudyAnalysis& analysis, const Gallery& gallery) {
   std::string sections;
   for (const ModalityAnalysis& modality : analysis.modalities) {
     sections += element("h2", escaped(modality.title.empty() ? modality.name : modality.title));
-    if (!modality.untold.empty() || modality.rated == 0)
-      sections +=
-          element("div", escaped(metrics_in_words(bounds_text(analysis, modality))), "box warn");
+    if (const std::string bounds = bounds_text(modality); !bounds.empty())
+      sections += element("div", escaped(metrics_in_words(bounds)), "box warn");
     sections += loose_section(analysis, modality) +
                 (modality.rated > 0 ? ranking_section(analysis, modality) : "") +
                 metric_section(analysis, modality) +
