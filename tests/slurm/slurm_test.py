@@ -3,7 +3,7 @@
 
 usage: slurm_test.py BINARY [--people N] [--kills K]    as root; exit 0 good, 1 not, 2 no Slurm here
 
-Two postures, drawn donnings, grade B with its controls. Brings up munged, slurmctld and slurmd of its own in a temporary folder, on free ports and for this machine alone,
+Drawn donnings, grade B with its controls. Brings up munged, slurmctld and slurmd of its own in a temporary folder, on free ports and for this machine alone,
 and takes them down again. Of the study's array tasks K are killed (SIGKILL) while they run; they are to be submitted
 again by the runner.
 """
@@ -24,8 +24,8 @@ STUDY = """
 name = "slurm"
 modalities = ["imu-uncalibrated"]
 seed = 11
-[scenario.postures]
-list = ["a-pose", "slouch"]
+[scenario.body]
+posture = "a-pose"
 [scenario.garment]
 pattern = "tank-top"
 [scenario.donning]
