@@ -39,6 +39,8 @@ function(loosefit_module name)
     target_compile_definitions(test_${name} PRIVATE
       LOOSEFIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LOOSEFIT_BINARY="${CMAKE_BINARY_DIR}/bin/loosefit")
     loosefit_precompile(test_${name} REUSE_FROM test_base ALSO <gtest/gtest.h>)
+    loosefit_cold(test_${name})
+    loosefit_unite(test_${name} ${tests})
     gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${name} TIMEOUT 600
       ENVIRONMENT OPENBLAS_NUM_THREADS=1)
   endif()

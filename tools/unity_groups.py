@@ -5,8 +5,10 @@ usage: unity_groups.py ROOT FILE...     prints one line per group: GROUP FILE, f
 
 Headers that a group shares are read and their templates are compiled once. Two files can be
 together when no name of the unnamed namespaces of one is a word of the other, or is declared in a
-header that only the other includes, so that nothing has to be renamed for the sake of it. Files that include the same heavy libraries are put together
-first. A group holds at most MOST_BYTES of sources.
+header that only the other includes, so that nothing has to be renamed for the sake of it; what
+GoogleTest declares by TEST is told by suite and name. A file that defines a macro stays alone.
+Files that include the same heavy libraries are put together first. A group holds at most
+MOST_BYTES of sources.
 """
 import pathlib
 import re
@@ -16,6 +18,7 @@ MOST_BYTES = 48_000
 COMMENT_OR_TEXT = re.compile(
     r'R"(\w*)\((?:.|\n)*?\)\1"|//[^\n]*|/\*(?:.|\n)*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'')
 DIRECTIVE = re.compile(r"^[ \t]*#.*$", re.MULTILINE)
+MACRO = re.compile(r"^[ \t]*#[ \t]*define\b", re.MULTILINE)
 WORD = re.compile(r"\b[A-Za-z_]\w*\b")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 HEAVY = re.compile(r'#\s*include\s*[<"](CGAL|nlohmann|vtk|toml\+\+|CLI|tbb)')
@@ -58,6 +61,10 @@ def declared_in(part):
     """Names that a declaration introduces; rather one too many than one too few."""
     part = part.strip()
     if re.match(r"using\b[^=]*$|namespace\b|static_assert\b", part):
+        return set()
+    if match := re.match(r"TEST(?:_F|_P)?\s*\(\s*(\w+)\s*,\s*(\w+)\s*\)", part):
+        return {"_".join((*match.groups(), "Test"))}
+    if part.startswith("INSTANTIATE_TEST_SUITE_P"):
         return set()
     if match := re.match(r"(?:template\s*<.*?>\s*)?(?:struct|class|enum(?: class)?|using)\s+(\w+)",
                          part, re.DOTALL):
@@ -113,17 +120,18 @@ class Source:
             if unnamed:
                 self.own |= declared_in(part)
         self.headers = headers.all_included_by(path, text)
+        self.defines = bool(MACRO.search(text))
         self.heavy = sorted(set(HEAVY.findall(text)))
         self.declared = headers.declared
 
     def meets(self, other):
         """Whether a name of this file alone means something else there."""
-        if self.own & other.words:
+        if self.own & (other.words | other.own):
             return True
         return any(self.own & self.declared[h] for h in other.headers - self.headers)
 
     def clashes(self, other):
-        return self.meets(other) or other.meets(self)
+        return self.defines or other.defines or self.meets(other) or other.meets(self)
 
 
 def groups_of(sources):

@@ -61,6 +61,8 @@ void warn_of_plan(const study::Plan& plan) {
                "warning: axis {} changes nothing: cases that differ in it alone are the same "
                "scenario\n",
                terminal_line(axis));
+  for (const std::string& people : study::left_to_base(plan))
+    fmt::print(stderr, "warning: {}\n", terminal_line(people));
   if (const int same = study::same_as_others(plan); same > 0)
     fmt::print(stderr,
                "warning: {} of {} cases are the same scenario as another one; it runs once\n", same,

@@ -15,13 +15,15 @@
 namespace loosefit::pipeline {
 namespace {
 
-/// Three drapes of a shirt on a mesh that settles in seconds.
+/// Three drapes of a tank top on a mesh that settles in a second.
 CaseResult repeated(const std::string& simulation, const std::string& more = "") {
-  const std::string text = more +
-                           "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
-                           "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
-                           "[simulation]\nedge_length = 0.03\nrepeats = 3\n" +
-                           simulation;
+  const std::string text =
+      more +
+      "[garment]\npattern = \"tank-top\"\n[body]\nposture = \"a-pose\"\n"
+      "[donning]\nmovements = [\"breath\"]\n[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
+      "[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
+      "[simulation]\nedge_length = 0.05\nrepeats = 3\n" +
+      simulation;
   Progress silent;
   return run_case(io::parse_scenario(text, "case.toml"), silent);
 }
@@ -83,7 +85,7 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
 
 TEST_F(RepeatDrapes, OnlyWhatEveryDrapeHasIsSpread) {
   const CaseResult result =
-      repeated("", "[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n");
+      repeated("", "[postures]\nlist = [\"a-pose\", \"forward-bend-15\"]\n");
   EXPECT_FALSE(result.repeats.spread.contains("maps.slip_mm.area_mean")) << "of one drape alone";
   ASSERT_TRUE(result.repeats.spread.contains("maps.distance_mm.area_mean"));
   for (const auto& [key, spread] : result.repeats.spread) EXPECT_EQ(spread.count, 3) << key;

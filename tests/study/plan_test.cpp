@@ -18,6 +18,8 @@
 #include "loosefit/study/controls.h"
 #include "loosefit/study/run_study.h"
 
+namespace fs = std::filesystem;
+
 namespace loosefit::study {
 namespace {
 
@@ -237,8 +239,22 @@ TEST(Plan, TellsOfAxesThatChangeNothing) {
   EXPECT_EQ(same_as_others(in_part), 1);
 }
 
+TEST(Plan, TellsOfPeopleWithoutSexOrAge) {
+  const fs::path file = fs::path(::testing::TempDir()) / "people-without-sex.csv";
+  const auto told = [&](const std::string& people) {
+    io::write_text_file(file.string(), people);
+    return left_to_base(plan_of(kHead + "[[axis]]\nname = \"person\"\npeople = { file = \"" +
+                                file.string() + "\" }\n"));
+  };
+  EXPECT_TRUE(told("sex,age,height\nfemale,30,1.6\nmale,40,1.8\n").empty());
+  EXPECT_EQ(told("age,height\n30,1.6\n40,1.8\n"),
+            std::vector<std::string>{"axis person: 2 of its 2 people without sex take that of "
+                                     "[scenario.body]"});
+  EXPECT_EQ(told("height\n1.6\n").size(), 2u);
+  fs::remove(file);
+}
+
 TEST(Plan, AddressesKnowTheSeamsBesideAPattern) {
-  namespace fs = std::filesystem;
   const fs::path folder =
       fs::temp_directory_path() / ("loosefit-plan-seams-" + std::to_string(getpid()));
   fs::create_directories(folder);
@@ -307,7 +323,6 @@ TEST(Plan, ALatinHypercubeDrawsAnAxisForEachCaseToo) {
 
 // Lines and paths are those of the file in which they stand, whatever they are laid over.
 TEST(StudyFile, LaidOverABaseKeepsItsOwnPlaces) {
-  namespace fs = std::filesystem;
   const fs::path folder =
       fs::temp_directory_path() / ("loosefit-laid-over-" + std::to_string(getpid()));
   fs::create_directories(folder / "bases");

@@ -210,6 +210,23 @@ TEST_F(Sentences, TellWhatIsLackingWhereNothingIsRated) {
   EXPECT_TRUE(has(study_html(of(drawn(2), {0.95, 0.95}, {"coe_rms_deg"})), "upper bounds"));
 }
 
+TEST_F(Sentences, GiveNoIntervalToCasesOfChosenValues) {
+  const StudyAnalysis chosen = of(kPlaces, {0.9, 0.4}), of_people = of(drawn(2), {0.9, 0.4});
+  const auto interval = [](const StudyAnalysis& analysis) {
+    return analysis.modalities.at(0).rankings.back().at(0).median_interval;
+  };
+  EXPECT_TRUE(std::isnan(interval(chosen).low) && std::isnan(interval(chosen).high));
+  EXPECT_TRUE(std::isnan(chosen.modalities.at(0).rankings.back().at(0).first));
+  EXPECT_EQ(interval(of_people).low, 0.4);
+  EXPECT_EQ(interval(of_people).high, 0.9);
+  EXPECT_TRUE(has(study_html(chosen), "are no sample"));
+  EXPECT_FALSE(has(study_html(of_people), "are no sample"));
+  // Draws of fabrics tell as much of sensors as draws of people.
+  const std::string fabrics =
+      "[[axis]]\nname = \"cloth\"\nfabrics = { population = \"618-measured\", count = 2 }\n";
+  EXPECT_EQ(interval(of(fabrics, {0.9, 0.4})).low, 0.4);
+}
+
 TEST_F(Sentences, TellWhatSomeCasesCannotTell) {
   of(drawn(2), {0.95, 0.95});
   const StudyFolder folder(base / "of");

@@ -53,6 +53,17 @@ class Groups(unittest.TestCase):
         self.assertEqual(self.groups(b_h='#include "c.h"', c_h=header, b_cpp=b,
                                      a_cpp=self.unnamed("int inside = 1;")), [["a", "b"]])
 
+    def test_tests_are_told_apart_by_suite_and_name(self):
+        a = self.unnamed("TEST(One, First) {}\nTEST_F(Two, First) {}")
+        self.assertEqual(self.groups(a_cpp=a, b_cpp=self.unnamed("TEST(One, Second) {}")),
+                         [["a", "b"]])
+        self.assertEqual(self.groups(a_cpp=a, b_cpp=self.unnamed("TEST_P(Two, First) {}")),
+                         [["a"], ["b"]])
+
+    def test_a_file_that_defines_a_macro_stays_alone(self):
+        self.assertEqual(self.groups(a_cpp="#define ONE 1\n" + self.unnamed("int one = ONE;"),
+                                     b_cpp=self.unnamed("int two = 2;")), [["a"], ["b"]])
+
     def test_comments_and_texts_do_not_count(self):
         self.assertEqual(self.groups(a_cpp=self.unnamed("int one() { return 1; }"),
                                      b_cpp='// one\nconst char* two() { return "one"; } /* one */'),

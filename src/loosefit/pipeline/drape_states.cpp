@@ -12,6 +12,7 @@
 #include "loosefit/pipeline/check_worn.h"
 #include "loosefit/pipeline/drape_side_by_side.h"
 #include "loosefit/pipeline/garment_layers.h"
+#include "loosefit/pipeline/put_on_garments.h"
 #include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/pipeline/wear_states.h"
 
@@ -89,13 +90,11 @@ Task put_on_again(const Start& start, Task task, int sharing, Progress& progress
   drape::DrapeOptions options = drape_options(reference.scenario.simulation);
   options.others_follow = start.wear.postures.size() > 1;
   options.drapes_at_once = sharing;
-  options.start_shift = how.shift;
-  options.start_twist = how.twist;
   CaseBody body = clone_wearer(reference.body);
-  task.session = std::make_shared<drape::DrapeSession>(
-      cloth_layers(reference.scenario, reference.garments, how.friction), options, progress);
-  task.state.drapes = split_drape(put_on(*task.session, body, how.movements, &reference.scenario),
-                                  reference.scenario, reference.garments);
+  PutOn again =
+      put_on_garments(reference.scenario, reference.garments, body, how, options, progress);
+  task.session = std::move(again.session);
+  task.state.drapes = std::move(again.drapes);
   task.warnings = warnings_since(reference.body, body);
   return task;
 }

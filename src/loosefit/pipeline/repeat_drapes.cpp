@@ -8,11 +8,10 @@
 #include <set>
 
 #include "loosefit/base/text.h"
-#include "loosefit/drape/drape_session.h"
 #include "loosefit/pipeline/check_worn.h"
 #include "loosefit/pipeline/drape_side_by_side.h"
-#include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/pipeline/garment_maps.h"
+#include "loosefit/pipeline/put_on_garments.h"
 #include "loosefit/pipeline/simulation_options.h"
 
 namespace loosefit::pipeline {
@@ -56,11 +55,9 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
   CaseBody body = clone_wearer(result.body);
   drape::DrapeOptions options = drape_options(scenario.simulation, repeat);
   options.drapes_at_once = sharing;
-  drape::DrapeSession session(cloth_layers(scenario, result.garments), options, progress);
-  const std::vector<CaseMovement> movements =
-      drawn_movements(scenario.donning, options.seed);  // a history of its own
+  const CaseDonning how{.movements = drawn_movements(scenario.donning, options.seed)};
   std::vector<drape::Drape> drapes =
-      split_drape(put_on(session, body, movements, &scenario), scenario, result.garments);
+      put_on_garments(scenario, result.garments, body, how, options, progress).drapes;
 
   // Left out with the reason unless it is settled and worn.
   Repeat made;

@@ -10,9 +10,9 @@
 #include "loosefit/pipeline/check_worn.h"
 #include "loosefit/pipeline/drape_side_by_side.h"
 #include "loosefit/pipeline/drape_states.h"
-#include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/pipeline/map_case.h"
 #include "loosefit/pipeline/prepare_case.h"
+#include "loosefit/pipeline/put_on_garments.h"
 #include "loosefit/pipeline/repeat_drapes.h"
 #include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/pipeline/wear_states.h"
@@ -28,19 +28,16 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
 
   int at_once = 1;
   {
-    const CaseDonning how = planned_donnings(scenario.donning).front();
     drape::DrapeOptions settling = drape_options(scenario.simulation);
-    settling.start_shift = how.shift;
-    settling.start_twist = how.twist;
     settling.others_follow = plan_wear(result.scenario).postures.size() > 1;
-    const auto session = std::make_shared<drape::DrapeSession>(
-        cloth_layers(result.scenario, result.garments, how.friction), settling, clock);
-    const drape::Drape drape =
-        put_on(*session, result.body, how.movements, &scenario);  // dress, settle
-    result.take_drapes(check_worn(split_drape(drape, result.scenario, result.garments),
-                                  result.garments, result.scenario, result.body.body));
+    PutOn first = put_on_garments(result.scenario, result.garments, result.body,
+                                  planned_donnings(scenario.donning).front(), settling,
+                                  clock);  // dress, settle
+    result.take_drapes(
+        check_worn(std::move(first.drapes), result.garments, result.scenario, result.body.body));
     at_once = drapes_at_once();
-    result.wear = drape_states(result, session, at_once, clock);  // postures, donnings
+    result.wear = drape_states(result, std::move(first.session), at_once,
+                               clock);  // postures, donnings
   }
 
   const bool open = result.certificate().holds() || options.allow_unsettled;

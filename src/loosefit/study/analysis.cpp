@@ -127,17 +127,19 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
   if (found == data.sites.end()) return result;
   const std::vector<SiteTable>& tables = found->second;
   const int levels = static_cast<int>(data.level_bgm.size());
+  BootstrapOptions by_chance = options, of_people = options;
+  if (!varies_by_chance(data.plan)) by_chance.resamples = 0;
+  // Without people units are cases, each at one fit: to draw them is to draw which fits there are.
+  if (people_axis(data.plan) < 0) of_people.resamples = 0;
   for (int level = 0; level < levels; ++level) {
-    result.rankings.push_back(rank_population(scores_at(data, tables, level), card.pass, options));
+    result.rankings.push_back(
+        rank_population(scores_at(data, tables, level), card.pass, by_chance));
     for (SitePopulation& site : result.rankings.back()) site.people = asked_units(data, level);
   }
   const std::vector<SiteScores> over_all = scores_at(data, tables, -1);
-  if (levels > 1) result.rankings.push_back(rank_population(over_all, card.pass, options));
+  if (levels > 1) result.rankings.push_back(rank_population(over_all, card.pass, of_people));
   result.sensors = choose_sensors(over_all, data.plan.sensors, constraints_of(data, tables));
   const std::vector<std::vector<int>> units = cases_of_units(data);
-  // Without people units are cases, each at one fit: to draw them is to draw which fits there are.
-  BootstrapOptions of_people = options;
-  if (people_axis(data.plan) < 0) of_people.resamples = 0;
   result.metrics = metric_percentiles(data, tables, card, of_people);
   for (const SiteTable& table : tables) {
     if (const std::vector<LooseLevel> by_level = loose_levels(data, table); !by_level.empty())

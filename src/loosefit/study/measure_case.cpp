@@ -80,15 +80,14 @@ SampleRecord sample_of(const placement::MetricValues& metrics, const placement::
 
 }  // namespace
 
-placement::Scorecard tellable(const placement::Scorecard& card,
-                              const scenario::Scenario& scenario) {
-  const bool postures = scenario.postures.size() > 1, donnings = scenario.donning.repeats > 1;
+placement::Scorecard tellable(const placement::Scorecard& card, bool several_postures,
+                              bool several_donnings) {
   placement::Scorecard part = card;
   std::erase_if(part.criteria, [&](const placement::Criterion& criterion) {
     const placement::MetricName* metric = placement::find_metric(criterion.metric);
     const std::string needs = metric ? metric->needs : "";
-    const bool lacks = (needs.find("postures") != std::string::npos && !postures) ||
-                       (needs.find("donnings") != std::string::npos && !donnings);
+    const bool lacks = (needs.find("postures") != std::string::npos && !several_postures) ||
+                       (needs.find("donnings") != std::string::npos && !several_donnings);
     if (lacks) part.left_out.push_back(criterion.metric);
     return lacks;
   });
@@ -144,7 +143,8 @@ CaseRecord measure_case(const pipeline::CaseResult& result,
   const std::vector<int> donnings = sampled_donnings(states);
   const std::set<int> whole = whole_donnings(result);
   for (const placement::Scorecard& whole_card : scorecards) {
-    const placement::Scorecard card = tellable(whole_card, result.scenario);
+    const placement::Scorecard card = tellable(whole_card, result.scenario.postures.size() > 1,
+                                               result.scenario.donning.repeats > 1);
     if (!card.left_out.empty()) record.untold[card.name] = card.left_out;
     const placement::Wearers measured(wearers, card);
     std::vector<std::string> no_line;

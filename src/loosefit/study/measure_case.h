@@ -8,9 +8,10 @@
 
 namespace loosefit::study {
 
-/// The criteria that a scenario can tell: those whose metrics need several postures or donnings
-/// stay only when there are several. The same for all cases of one scenario, whatever fails.
-placement::Scorecard tellable(const placement::Scorecard& card, const scenario::Scenario& scenario);
+/// The criteria that a case can tell: those whose metrics need several postures or donnings stay
+/// only when its scenario has several, whatever fails.
+placement::Scorecard tellable(const placement::Scorecard& card, bool several_postures,
+                              bool several_donnings);
 
 /// Turns a case into what a study keeps of it. Each scorecard's sensor is held at every site of the
 /// scenario (and preset, if they are reported), once per donning; a donning of which a posture does

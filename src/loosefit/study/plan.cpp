@@ -328,6 +328,23 @@ std::vector<std::string> idle_axes(const Plan& plan) {
   return idle;
 }
 
+std::vector<std::string> left_to_base(const Plan& plan) {
+  std::vector<std::string> told;
+  for (const Axis& axis : plan.study.axes) {
+    if (!axis.is_people()) continue;
+    for (const char* what : {"sex", "age"}) {
+      const auto lacking = std::ranges::count_if(axis.levels, [&](const AxisLevel& person) {
+        return !person.inputs.contains(axis.name + "." + what);
+      });
+      if (lacking > 0)
+        told.push_back(
+            fmt::format("axis {}: {} of its {} people without {} take that of [scenario.body]",
+                        axis.name, lacking, axis.levels.size(), what));
+    }
+  }
+  return told;
+}
+
 int same_as_others(const Plan& plan) {
   std::set<std::string> addresses;
   for (const PlannedCase& one : plan.cases) addresses.insert(one.address);

@@ -59,6 +59,9 @@ std::string wearing_digest(const scenario::Scenario& scenario);
 /// some, are the same scenario.
 std::vector<std::string> idle_axes(const Plan& plan);
 
+/// In words: people of a file without a sex or an age, who take that of the base scenario.
+std::vector<std::string> left_to_base(const Plan& plan);
+
 /// Cases that are the same scenario as one before them, so have its results.
 int same_as_others(const Plan& plan);
 

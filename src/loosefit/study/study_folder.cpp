@@ -429,6 +429,11 @@ int people_axis(const FolderPlan& plan) {
   return -1;
 }
 
+bool varies_by_chance(const FolderPlan& plan) {
+  return std::ranges::any_of(plan.axes,
+                             [](const Axis& axis) { return axis.is_people() || axis.sampled; });
+}
+
 int looseness_axis(const FolderPlan& plan) {
   for (std::size_t k = 0; k < plan.axes.size(); ++k)
     if (!plan.looseness.empty() && plan.axes[k].name == plan.looseness) return static_cast<int>(k);

@@ -120,6 +120,9 @@ void remove_left_overs(const std::filesystem::path& file);
 std::vector<std::string> scorecard_names(const FolderPlan& plan);
 /// The axis of people in a plan; −1: none.
 int people_axis(const FolderPlan& plan);
+/// Whether people, listed or drawn, or draws of anything else tell its cases apart: else cases are
+/// values that were chosen, of which drawing with replacement says nothing.
+bool varies_by_chance(const FolderPlan& plan);
 /// The axis that answers how loose it may be; −1: none.
 int looseness_axis(const FolderPlan& plan);
 /// "person 3, fit 0.16"

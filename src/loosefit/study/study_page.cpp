@@ -379,9 +379,14 @@ std::string method_section(const StudyAnalysis& analysis) {
                      "through there: donnings, and whatever else varies."
                    : "A case's score at a site is the lowest over its donnings. Without an axis of "
                      "people nothing is said of people.") +
-              fmt::format(" Percentiles, shares and intervals are over {}; intervals come from "
-                          "2000 draws of {} with replacement, those of correlations from 400.",
-                          units, units)));
+              (varies_by_chance(data.plan)
+                   ? fmt::format(" Percentiles, shares and intervals are over {}; intervals come "
+                                 "from 2000 draws of {} with replacement, those of correlations "
+                                 "from 400.",
+                                 units, units)
+                   : " Percentiles and shares are over cases of values that were chosen, which "
+                     "are no sample: without intervals but those of correlations, from 400 draws "
+                     "of cases with replacement, and sites are tied only where they are equal.")));
   text += people_text(data);
   text += grade_text(data);
   text += element("p", escaped(fmt::format("Cases took {} of one "

@@ -22,10 +22,7 @@ std::vector<UntoldModality> untold_modalities(const Plan& plan) {
     UntoldModality one{.modality = card.name, .metrics = {}};
     std::set<std::string> told;
     for (const auto& [postures, donnings] : kinds) {
-      scenario::Scenario like;
-      like.postures.resize(postures ? 2 : 1);
-      like.donning.repeats = donnings ? 2 : 1;
-      for (const placement::Criterion& criterion : tellable(card, like).criteria)
+      for (const placement::Criterion& criterion : tellable(card, postures, donnings).criteria)
         told.insert(criterion.metric);
     }
     for (const placement::Criterion& criterion : card.criteria) {
