@@ -1,6 +1,7 @@
 #include "loosefit/io/glb_write.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
@@ -54,7 +55,8 @@ struct Glb {
 
 class GlbFile : public ::testing::Test {
  protected:
-  std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) / "surface.glb";
+  std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
+                                ("surface-" + std::to_string(getpid()) + ".glb");
   GlbSurface surface_{.name = "cloth \"a\"",
                       .positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 2}, {0, -0.5, 2}},
                       .triangles = {{0, 1, 2}, {0, 2, 3}},

@@ -1,6 +1,7 @@
 #include "loosefit/io/measures_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -27,8 +28,8 @@ class MeasuresFile : public testing::Test {
     }
     return "accepted";
   }
-  std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) / "loosefit_measures_test.json";
+  std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) /
+                                ("loosefit_measures_" + std::to_string(getpid()) + ".json");
 };
 
 const std::string kPlain =

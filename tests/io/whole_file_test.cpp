@@ -1,6 +1,7 @@
 #include "loosefit/io/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
@@ -11,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct WholeFile : ::testing::Test {
-  fs::path folder = fs::path(::testing::TempDir()) / "whole-file";
+  fs::path folder = fs::path(::testing::TempDir()) / ("whole-file-" + std::to_string(getpid()));
   void SetUp() override {
     fs::remove_all(folder);
     fs::create_directories(folder);
