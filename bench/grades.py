@@ -6,7 +6,7 @@ usage: grades.py FOLDER [--binary FILE] [--count N] [--edges MM MM] [--garment K
 Two studies of the same N cases, one to grade B and one to grade A: fabric cards, three fits, worn in or just put
 on, two edge lengths, two wearers, and standing or bent forward alone (where the drape that is measured itself ends with B) or one after the
 other (for metrics over postures), each level equally often (Latin hypercube). Both are kept in FOLDER; the same
-command goes on where it stopped. Prints, for every metric of a site that the program knows and for every figure
+command goes on where it stopped. Prints, for every metric of a site (not of lines) that the program knows and for every figure
 of the whole garment, the absolute difference over all sites, scorecards and cases: how many values, median, 95th
 and 99th percentile and largest; and what B saved. Exit code 1 when a value of one grade is missing from the other, or
 the sites of a case are apart by more than what grade B promises of its last step: 0.1 mm anywhere, 0.2 degrees at the

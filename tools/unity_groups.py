@@ -149,7 +149,8 @@ def groups_of(sources):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    headers = Headers([pathlib.Path(__file__).resolve().parents[1] / "src"])
+    home = pathlib.Path(__file__).resolve().parents[1]
+    headers = Headers([home / "src", home / "tests"])
     sources = [Source(root / name, headers) for name in sys.argv[2:]]
     for number, group in enumerate(groups_of(sources)):
         for source in sorted(group, key=lambda s: str(s.path)):

@@ -96,7 +96,8 @@ void print_plan(const study::Plan& plan, const Arguments& arguments,
                          {"workers", workers},
                          {"open", to_run},
                          {"same_as_others", study::same_as_others(plan)},
-                         {"idle_axes", study::idle_axes(plan)}})
+                         {"idle_axes", study::idle_axes(plan)},
+                         {"left_to_base", study::left_to_base(plan)}})
                        .dump(1));
     return;
   }

@@ -55,6 +55,7 @@ struct Glb {
 
 class GlbFile : public ::testing::Test {
  protected:
+  void TearDown() override { std::filesystem::remove(path_); }
   std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
                                 ("surface-" + std::to_string(getpid()) + ".glb");
   GlbSurface surface_{.name = "cloth \"a\"",

@@ -14,7 +14,7 @@ TEST(ThreeLayers, HoodieOverATShirtOverTrousersSettlesWithoutArmsSpreadWide) {
       "[body]\nsex = \"male\"\nage = 35\nheight = 1.78\n[garment]\npattern = \"hoodie\"\n"
       "[material]\nname = \"wool\"\n[[under]]\npattern = \"trousers\"\n[under.material]\nname = "
       "\"wool\"\n[[under]]\npattern = \"t-shirt\"\n[under.material]\nname = \"cotton-jersey\"\n"
-      "[simulation]\nedge_length = 0.03\n[donning]\nmovements = []\n");
+      "[simulation]\nedge_length = 0.04\n[donning]\nmovements = []\n");
   ASSERT_EQ(result.garments.size(), 3u);
   EXPECT_EQ(result.certificate().intersections_layers, 0);
   EXPECT_FALSE(result.studied().drape.report.was_tried(drape::RecoveryKind::wide_posture));

@@ -240,17 +240,24 @@ TEST(Plan, TellsOfAxesThatChangeNothing) {
 }
 
 TEST(Plan, TellsOfPeopleWithoutSexOrAge) {
-  const fs::path file = fs::path(::testing::TempDir()) / "people-without-sex.csv";
-  const auto told = [&](const std::string& people) {
+  const fs::path file =
+      fs::path(::testing::TempDir()) / ("people-" + std::to_string(getpid()) + ".csv");
+  const auto told = [&](const std::string& people, const std::string& axis = "") {
     io::write_text_file(file.string(), people);
     return left_to_base(plan_of(kHead + "[[axis]]\nname = \"person\"\npeople = { file = \"" +
-                                file.string() + "\" }\n"));
+                                file.string() + "\" }\n" + axis));
   };
   EXPECT_TRUE(told("sex,age,height\nfemale,30,1.6\nmale,40,1.8\n").empty());
   EXPECT_EQ(told("age,height\n30,1.6\n40,1.8\n"),
-            std::vector<std::string>{"axis person: 2 of its 2 people without sex take that of "
+            std::vector<std::string>{"people of axis person have no sex: all take that of "
                                      "[scenario.body]"});
   EXPECT_EQ(told("height\n1.6\n").size(), 2u);
+  EXPECT_EQ(told("height\n1.6\n",
+                 "[[axis]]\nname = \"sex\"\nkey = \"body.sex\"\n"
+                 "values = [\"female\", \"male\"]\n")
+                .size(),
+            1u)
+      << "another axis says it";
   fs::remove(file);
 }
 

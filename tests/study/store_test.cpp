@@ -233,6 +233,7 @@ TEST_F(StudyOnDisk, AnalysisFindsTheLimitThatWasPutIn) {
   const std::string page = study_html(analysis);
   EXPECT_NE(page.find("How loose may it be?"), std::string::npos);
   EXPECT_NE(page.find("<svg"), std::string::npos);
+  EXPECT_NE(page.find("scapula, 90 % interval"), std::string::npos);
   EXPECT_NE(page.find("class=\"box good\""), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
 }

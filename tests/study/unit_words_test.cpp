@@ -225,6 +225,11 @@ TEST_F(Sentences, GiveNoIntervalToCasesOfChosenValues) {
   const std::string fabrics =
       "[[axis]]\nname = \"cloth\"\nfabrics = { population = \"618-measured\", count = 2 }\n";
   EXPECT_EQ(interval(of(fabrics, {0.9, 0.4})).low, 0.4);
+  EXPECT_TRUE(has(study_html(of(fabrics, {0.9, 0.4})), "of rankings at one fit alone"));
+  // So do histories of putting on.
+  const std::string histories =
+      "[scenario.donning]\nfirst = \"drawn\"\n[[axis]]\nname = \"put on\"\ndonnings = 2\n";
+  EXPECT_EQ(interval(of(histories, {0.9, 0.4})).low, 0.4);
 }
 
 TEST_F(Sentences, TellWhatSomeCasesCannotTell) {

@@ -48,8 +48,8 @@ scenario::ScenarioSimulation read_simulation_section(ConfigReader table) {
       table.number("residual_tolerance", s.residual_tolerance, {1e-8, 1e-3, "a fraction"},
                    "net force over weight below which the garment has settled");
   if (table.choice("certificate", "A", {"A", "B"},
-                   "grade of rest that is enough: B for studies, where the rest of the way is "
-                   "known to be less than maps can mean") == "B")
+                   "grade of rest that is enough: B for studies, where the next Newton step "
+                   "would change less than maps can mean") == "B")
     s.certificate = solver::RestGrade::b;
   s.gravity = table.number("gravity", s.gravity, {0.1, 100, "m/s²"}, "acceleration of gravity");
   s.time_budget = table.number("time_budget", s.time_budget, {0.1, 1e6, "seconds"},

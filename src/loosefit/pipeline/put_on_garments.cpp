@@ -1,7 +1,5 @@
 #include "loosefit/pipeline/put_on_garments.h"
 
-#include <utility>
-
 #include "loosefit/pipeline/garment_layers.h"
 
 namespace loosefit::pipeline {

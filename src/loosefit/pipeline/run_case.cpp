@@ -1,5 +1,7 @@
 #include "loosefit/pipeline/run_case.h"
 
+#include <utility>
+
 #include "loosefit/base/resources.h"
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scenario.h"

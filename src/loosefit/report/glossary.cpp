@@ -6,15 +6,16 @@ const std::vector<GlossaryTerm>& glossary() {
   static const std::vector<GlossaryTerm> terms = {
       {"residual", "Residual ‖F‖/‖W‖",
        "Net force left on the cloth, root of the sum of squares over all free vertices, over that "
-       "of their weights. At rest it is zero; a drape counts as settled up to 0.001. "
-       "(docs/theory/solver.md 1.)"},
+       "of their weights. At rest it is zero; a drape counts as settled up to 0.001, or up to 0.02 "
+       "where grade B is asked for. (docs/theory/solver.md 1.)"},
       {"residual-max", "Largest on one particle",
        "Net force on the vertex where it is greatest, over the mean weight of a vertex; at most "
        "0.1 of a settled drape."},
       {"grade", "Grade",
-       "A: the net force left is at most 0.001 of the weight. B: at most 0.02, and the rest of the "
-       "way "
-       "is known to be less than maps can mean. (docs/theory/solver.md 1.)"},
+       "A: the net force left is at most 0.001 of the weight. B: at most 0.02, and the next step "
+       "of "
+       "Newton's method would change less than maps can mean, which is an estimate. "
+       "(docs/theory/solver.md 1.)"},
       {"left-to-go", "Left to go",
        "How far the next step of Newton's method with the exact Hessian would move the vertex that "
        "it "

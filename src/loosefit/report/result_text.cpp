@@ -22,8 +22,9 @@ std::string certificate_text(const pipeline::CaseResult& result) {
       certificate.residual, certificate.intersections_body, certificate.intersections_self,
       terminal_line(certificate.stop_reason));
   if (certificate.left)
-    text += fmt::format("to go at most: {:.4f} mm, normals {:.3f} degrees (99 % of them)\n",
-                        1e3 * certificate.left->move, degrees(certificate.left->turn));
+    text += fmt::format(
+        "to go by the next Newton step: at most {:.4f} mm, normals {:.3f} degrees (99 % of them)\n",
+        1e3 * certificate.left->move, degrees(certificate.left->turn));
   if (certificate.stable == false) text += "NOT STABLE: at rest on a saddle of the energy\n";
   if (certificate.worn())
     text += "worn: every limb goes through its opening, and no opening has left its place\n";

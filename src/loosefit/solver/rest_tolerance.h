@@ -15,9 +15,8 @@ inline constexpr double kRestLargest = 0.1;
 enum class RestGrade {
   /// The forces balance to kRestTolerance and kRestLargest.
   a,
-  /// They balance to kRestToleranceB, and what is left to go is known to be less than maps can
-  /// mean:
-  /// kLeftToMove, kLeftToTurn.
+  /// They balance to kRestToleranceB, and what is left to go is less than maps can mean by the
+  /// estimate of the next Newton step: kLeftToMove, kLeftToTurn.
   b,
 };
 

@@ -56,7 +56,7 @@ std::vector<std::vector<int>> cases_of_units(const StudyData& data) {
 Bounds correlation_interval(const std::vector<std::vector<int>>& cases,
                             const std::vector<double>& x, const std::vector<double>& y,
                             BootstrapOptions options) {
-  options.resamples = kCorrelationDraws;
+  options.resamples = std::min(options.resamples, kCorrelationDraws);
   return bootstrap(
       static_cast<int>(cases.size()),
       [&](const std::vector<int>& draw) {
@@ -144,10 +144,10 @@ ModalityAnalysis analyse_modality(const StudyData& data, const std::string& name
   for (const SiteTable& table : tables) {
     if (const std::vector<LooseLevel> by_level = loose_levels(data, table); !by_level.empty())
       result.how_loose[table.site] = how_loose(by_level, card.pass, of_people);
-    add_sensitivity(data, table, "score", table.by_case, options, units, result.sensitivity);
+    add_sensitivity(data, table, "score", table.by_case, by_chance, units, result.sensitivity);
     for (const placement::Criterion& criterion : card.criteria)
       if (const auto metric = table.metrics.find(criterion.metric); metric != table.metrics.end())
-        add_sensitivity(data, table, criterion.metric, metric->second, options, units,
+        add_sensitivity(data, table, criterion.metric, metric->second, by_chance, units,
                         result.sensitivity);
     int most = 0;
     for (const auto& [metric, count] : table.limiting)

@@ -136,6 +136,8 @@ void note_limits(const StudyData& a, const StudyData& b, StudyComparison& compar
 
 StudyComparison compare_studies(const StudyData& a, const StudyData& b,
                                 const BootstrapOptions& options) {
+  BootstrapOptions by_chance = options;
+  if (!varies_by_chance(a.plan) || !varies_by_chance(b.plan)) by_chance.resamples = 0;
   StudyComparison comparison;
   comparison.name_a = a.plan.name;
   comparison.name_b = b.plan.name;
@@ -179,7 +181,7 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
       }
       for (std::size_t k = 0; k < a.level_labels.size(); ++k) {
         PairedDifference one = difference(
-            paired_scores(site, in_b->second[other], common, static_cast<int>(k)), pass, options);
+            paired_scores(site, in_b->second[other], common, static_cast<int>(k)), pass, by_chance);
         one.modality = modality;
         one.site = site.site;
         one.level = a.level_labels[k];
@@ -231,7 +233,7 @@ std::string limits_text(const std::vector<LimitDifference>& limits, bool of_peop
     text +=
         "intervals of limits: people are drawn independently in A and B: they are not the same\n";
   if (are_drawn(PeopleDrawn::none))
-    text += "limits without draws have no interval: they are of one person\n";
+    text += "limits without draws have no interval: they are of one person, or not of people\n";
   if (std::ranges::any_of(limits, &LimitDifference::differs))
     text += "* zero is not within the interval\n";
   return text;
@@ -275,8 +277,14 @@ std::string comparison_text(const StudyComparison& comparison) {
                         : std::to_string(d.pairs),
         d.mean, interval_text(d.interval), 100 * d.better, 100 * d.passing_a, 100 * d.passing_b,
         d.differs() ? " *" : "");
-  text +=
-      "* zero is not within the interval; of 20 such rows without any difference 2 would be so\n";
+  const auto has_interval = [](const PairedDifference& d) {
+    return std::isfinite(d.interval.low) && std::isfinite(d.interval.high);
+  };
+  text += std::ranges::any_of(comparison.differences, has_interval)
+              ? "* zero is not within the interval; of 20 such rows without any difference 2 would "
+                "be so\n"
+              : "without intervals: one case alone, or of values that were chosen, which are no "
+                "sample\n";
   text += limits_text(comparison.limits, comparison.of_people);
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;

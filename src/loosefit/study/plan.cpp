@@ -330,17 +330,16 @@ std::vector<std::string> idle_axes(const Plan& plan) {
 
 std::vector<std::string> left_to_base(const Plan& plan) {
   std::vector<std::string> told;
-  for (const Axis& axis : plan.study.axes) {
-    if (!axis.is_people()) continue;
-    for (const char* what : {"sex", "age"}) {
-      const auto lacking = std::ranges::count_if(axis.levels, [&](const AxisLevel& person) {
-        return !person.inputs.contains(axis.name + "." + what);
-      });
-      if (lacking > 0)
-        told.push_back(
-            fmt::format("axis {}: {} of its {} people without {} take that of [scenario.body]",
-                        axis.name, lacking, axis.levels.size(), what));
-    }
+  for (const char* what : {"sex", "age"}) {
+    const auto sets = [&](const AxisLevel& level) {
+      return value_at(level.patch, std::string("body.") + what) != nullptr;
+    };
+    const auto some_set = [&](const Axis& axis) { return std::ranges::any_of(axis.levels, sets); };
+    // A file has a column for all its people or for none.
+    const auto people = std::ranges::find_if(plan.study.axes, &Axis::is_people);
+    if (people != plan.study.axes.end() && std::ranges::none_of(plan.study.axes, some_set))
+      told.push_back(fmt::format("people of axis {} have no {}: all take that of [scenario.body]",
+                                 people->name, what));
   }
   return told;
 }

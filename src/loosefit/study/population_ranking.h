@@ -47,7 +47,8 @@ struct SitePopulation {
 
 /// Ranks sites by robust score, then median, rated ones first; intervals, probability to be first
 /// and ties (either order in more than a fifth of the draws; placement/rank.h) from one bootstrap
-/// over people. \throws InvalidInput when sites have different numbers of people.
+/// over people; without draws sites are tied that are equal. \throws InvalidInput when sites have
+/// different numbers of people.
 std::vector<SitePopulation> rank_population(const std::vector<SiteScores>& sites, double pass,
                                             const BootstrapOptions& options = {});
 

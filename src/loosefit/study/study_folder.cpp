@@ -430,8 +430,11 @@ int people_axis(const FolderPlan& plan) {
 }
 
 bool varies_by_chance(const FolderPlan& plan) {
-  return std::ranges::any_of(plan.axes,
-                             [](const Axis& axis) { return axis.is_people() || axis.sampled; });
+  return std::ranges::any_of(plan.axes, [](const Axis& axis) {
+    const bool drawn =
+        axis.sampled || axis.kind == "donnings";  // histories, the same in all studies
+    return axis.is_people() || (drawn && axis.levels.size() > 1);
+  });
 }
 
 int looseness_axis(const FolderPlan& plan) {

@@ -15,6 +15,8 @@
 #include "loosefit/report/report_style.h"
 #include "loosefit/report/svg.h"
 #include "loosefit/study/cautions.h"
+#include "loosefit/study/loose_section.h"
+#include "loosefit/study/page_numbers.h"
 #include "loosefit/study/run_study.h"
 #include "loosefit/study/unit_words.h"
 
@@ -25,71 +27,8 @@ using report::element;
 using report::escaped;
 using report::fixed;
 
-/// Curves that one plot can bear.
-constexpr std::size_t kMostCurves = 5;
-/// Robust scores are not clamped, so that those that fail still differ; drawn down to here.
-constexpr double kLeastDrawn = -1;
 /// Rows of a table of sensitivity.
 constexpr std::size_t kMostSensitivities = 12;
-
-std::string score(double value) {
-  return std::isnan(value) ? "–" : fixed(std::clamp(value, 0.0, 1.0), 2);
-}
-std::string bounds(const Bounds& b, int decimals) {
-  if (std::isnan(b.low)) return "–";
-  return fixed(b.low, decimals) + " to " + fixed(b.high, decimals);
-}
-std::string score_bounds(const Bounds& b) {
-  return std::isnan(b.low) ? "–" : score(b.low) + " to " + score(b.high);
-}
-std::string percent(double share) { return std::isnan(share) ? "–" : fixed(100 * share, 0) + " %"; }
-
-std::string metric_words(const std::string& metric) {
-  const placement::MetricName* name = placement::find_metric(metric);
-  return name ? name->words : metric;
-}
-
-std::string limit_text(const HowLoose& answer, const StudyData& data) {
-  if (answer.at_most == -kInfinity) return "at no fit tried";
-  if (answer.limit == -kInfinity) return "at no fit rated";
-  if (answer.limit == kInfinity) return "≥ " + fixed(data.level_bgm.back(), 2);
-  return (answer.at_most > answer.limit ? "≥ " : "") + fixed(answer.limit, 2);
-}
-
-std::string end_text(double limit) {
-  if (limit == -kInfinity) return "nowhere";
-  if (limit == kInfinity) return "beyond";
-  return fixed(limit, 2);
-}
-
-/// The fit at which most people pass: "58 % at 0.02".
-std::string most_passing_text(const HowLoose& answer) {
-  const LoosePoint* most = most_passing(answer);
-  if (!most) return "–";
-  return most->passing > 0 ? percent(most->passing) + " at " + fixed(most->bgm, 2) : "none";
-}
-
-std::string interval_text(const Bounds& ends) {
-  const std::string low = end_text(ends.low), high = end_text(ends.high);
-  return low == high ? low : low + " to " + high;
-}
-
-/// Sites with the loosest limit first.
-std::vector<std::pair<std::string, const HowLoose*>> by_limit(const ModalityAnalysis& modality) {
-  std::vector<std::pair<std::string, const HowLoose*>> sites;
-  for (const auto& [site, answer] : modality.how_loose) sites.emplace_back(site, &answer);
-  const auto best = [](const HowLoose& answer) {
-    double most = -kInfinity;
-    for (const LoosePoint& p : answer.curve)
-      if (!std::isnan(p.robust)) most = std::max(most, p.robust);
-    return most;
-  };
-  std::stable_sort(sites.begin(), sites.end(), [&](const auto& a, const auto& b) {
-    if (a.second->limit != b.second->limit) return a.second->limit > b.second->limit;
-    return best(*a.second) > best(*b.second);
-  });
-  return sites;
-}
 
 /// Whether each kind of sensor works for 95 % of people somewhere, at some fit.
 bool all_work(const StudyAnalysis& analysis) {
@@ -132,59 +71,6 @@ std::string head(const StudyAnalysis& analysis) {
                                     missing == 1 ? "has" : "have", asked ? "scores" : "result")),
                 "box warn");
   return text;
-}
-
-std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
-  if (modality.how_loose.empty()) return "";
-  const StudyData& data = analysis.data;
-  report::Plot plot;
-  plot.x_label = "body-garment mobility (" + data.plan.looseness + ")";
-  const UnitKind kind = unit_kind(data);
-  plot.y_label = kind == UnitKind::people ? "score that 95 % of people reach (drawn from -1 on)"
-                                          : "5th percentile of the scores of the " +
-                                                column_name(kind) + " (drawn from -1 on)";
-  const auto sites = by_limit(modality);
-  for (const auto& [site, answer] : sites) {
-    if (plot.series.size() >= kMostCurves) break;
-    report::Plot::Series line;
-    line.name = site;
-    line.reference = true;
-    for (const LoosePoint& p : answer->curve) {
-      if (std::isnan(p.robust)) continue;
-      line.x.push_back(p.bgm);
-      line.y.push_back(std::clamp(p.robust, kLeastDrawn, 1.0));
-    }
-    if (!line.x.empty()) plot.series.push_back(line);
-  }
-  plot.series.push_back({"passes from here on",
-                         {data.level_bgm.front(), data.level_bgm.back()},
-                         {modality.pass, modality.pass},
-                         true});
-  if (analysis.comfort && std::isfinite(analysis.comfort->limit))
-    plot.series.push_back({"comfortable to the right",
-                           {analysis.comfort->limit, analysis.comfort->limit},
-                           {0, 1},
-                           true});
-  report::Table table({"site", "loosest BGM that passes",
-                       fmt::format("{:.0f} % interval", 100 * analysis.options.confidence),
-                       "fails again tighter than", "most " + column_name(kind) + " pass",
-                       "what limits"});
-  for (const auto& [site, answer] : sites) {
-    const auto limiting = modality.limiting.find(site);
-    table.add({site, limit_text(*answer, data),
-               std::isnan(answer->interval.low) ? "–" : interval_text(answer->interval),
-               std::isinf(answer->tightest) || answer->limit == -kInfinity
-                   ? "–"
-                   : fixed(answer->tightest, 2),
-               most_passing_text(*answer),
-               limiting == modality.limiting.end() ? "–" : metric_words(limiting->second)});
-  }
-  std::string comfort;
-  if (analysis.comfort)
-    comfort = element("p", escaped("Comfort limit: the garment is " + in_words(*analysis.comfort) +
-                                   " (" + for_most(analysis.comfort->units, kind) +
-                                   " at most 1 % of its area presses with more than 4 kPa)."));
-  return element("h3", "How loose may it be?") + report::svg_plot(plot) + table.html() + comfort;
 }
 
 std::string ranking_table(const std::vector<SitePopulation>& ranking, double confidence,
@@ -328,10 +214,10 @@ std::string grade_text(const StudyData& data) {
   std::string text = element(
       "p",
       escaped(fmt::format(
-          "{} of {} cases ended with certificate grade B: no vertex has more than 0.1 mm to go, "
-          "99 % of normals no more than 0.2 degrees to turn. {} cases were run once more to grade "
-          "A "
-          "as controls{}.",
+          "{} of {} cases ended with certificate grade B: the next step of Newton's method would "
+          "move no vertex by more than 0.1 mm and turn 99 % of normals by no more than 0.2 "
+          "degrees, which is an estimate of what is left to go. {} cases were run once more to "
+          "grade A as controls{}.",
           data.grade_b, data.done, data.controls.cases,
           data.controls.failed > 0 ? fmt::format(", {} without coming there", data.controls.failed)
                                    : "")));
@@ -379,14 +265,18 @@ std::string method_section(const StudyAnalysis& analysis) {
                      "through there: donnings, and whatever else varies."
                    : "A case's score at a site is the lowest over its donnings. Without an axis of "
                      "people nothing is said of people.") +
-              (varies_by_chance(data.plan)
+              (people_axis(data.plan) < 0 && varies_by_chance(data.plan)
+                   ? " Percentiles and shares are over cases; intervals, of rankings at one fit "
+                     "alone and of correlations, come from draws of cases with replacement. "
+                     "Elsewhere sites are tied only where they are equal."
+               : varies_by_chance(data.plan)
                    ? fmt::format(" Percentiles, shares and intervals are over {}; intervals come "
                                  "from 2000 draws of {} with replacement, those of correlations "
                                  "from 400.",
                                  units, units)
                    : " Percentiles and shares are over cases of values that were chosen, which "
-                     "are no sample: without intervals but those of correlations, from 400 draws "
-                     "of cases with replacement, and sites are tied only where they are equal.")));
+                     "are no sample: there are no intervals, and sites are tied only where they "
+                     "are equal.")));
   text += people_text(data);
   text += grade_text(data);
   text += element("p", escaped(fmt::format("Cases took {} of one "
