@@ -74,7 +74,7 @@ report::Plot::Series interval_ends(const std::string& site, const HowLoose& answ
   ends.name = fmt::format("{}, {:.0f} % interval", site, 100 * confidence);
   for (const LoosePoint& p : answer.curve)
     for (const double end : {p.robust_interval.low, p.robust_interval.high}) {
-      if (std::isnan(p.robust) || std::isnan(end)) continue;
+      if (p.rated < 2 || std::isnan(p.robust) || std::isnan(end)) continue;
       ends.x.push_back(p.bgm);
       ends.y.push_back(std::clamp(end, kLeastDrawn, 1.0));
     }
@@ -89,9 +89,9 @@ std::string loose_section(const StudyAnalysis& analysis, const ModalityAnalysis&
   report::Plot plot;
   plot.x_label = "body-garment mobility (" + data.plan.looseness + ")";
   const UnitKind kind = unit_kind(data);
-  plot.y_label = kind == UnitKind::people ? "score that 95 % of people reach (drawn from -1 on)"
-                                          : "5th percentile of the scores of the " +
-                                                column_name(kind) + " (drawn from -1 on)";
+  plot.y_label = kind == UnitKind::people
+                     ? "score that 95 % of people reach (drawn from -1 on)"
+                     : "5th percentile over " + column_name(kind) + " (drawn from -1 on)";
   const auto sites = by_limit(modality);
   for (const auto& [site, answer] : sites) {
     if (plot.series.size() >= kMostCurves) break;
