@@ -38,6 +38,9 @@ struct Axis {
   std::vector<std::string> keys;  ///< of the scenario, for ease, values and range
   std::vector<AxisLevel> levels;
   bool is_people() const { return kind == "people"; }
+  /// Whether levels differ by chance; histories of putting on do, though they are the same in every
+  /// study.
+  bool is_drawn() const { return (sampled || kind == "donnings") && levels.size() > 1; }
 };
 
 /// Reads one [[axis]] of a study file. \param draws how many draws a sampled axis has when the

@@ -280,11 +280,12 @@ std::string comparison_text(const StudyComparison& comparison) {
   const auto has_interval = [](const PairedDifference& d) {
     return std::isfinite(d.interval.low) && std::isfinite(d.interval.high);
   };
-  text += std::ranges::any_of(comparison.differences, has_interval)
-              ? "* zero is not within the interval; of 20 such rows without any difference 2 would "
-                "be so\n"
-              : "without intervals: one case alone, or of values that were chosen, which are no "
-                "sample\n";
+  text +=
+      std::ranges::any_of(comparison.differences, has_interval)
+          ? "* zero is not within the interval; of 20 such rows without any difference 2 would "
+            "be so\n"
+          : "without intervals: one person or case alone, or values that were chosen, which are no "
+            "sample\n";
   text += limits_text(comparison.limits, comparison.of_people);
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;

@@ -430,11 +430,8 @@ int people_axis(const FolderPlan& plan) {
 }
 
 bool varies_by_chance(const FolderPlan& plan) {
-  return std::ranges::any_of(plan.axes, [](const Axis& axis) {
-    const bool drawn =
-        axis.sampled || axis.kind == "donnings";  // histories, the same in all studies
-    return axis.is_people() || (drawn && axis.levels.size() > 1);
-  });
+  return std::ranges::any_of(plan.axes,
+                             [](const Axis& axis) { return axis.is_people() || axis.is_drawn(); });
 }
 
 int looseness_axis(const FolderPlan& plan) {

@@ -11,7 +11,6 @@
 #include "loosefit/base/version.h"
 #include "loosefit/placement/metric_names.h"
 #include "loosefit/report/html.h"
-#include "loosefit/report/plot.h"
 #include "loosefit/report/report_style.h"
 #include "loosefit/report/svg.h"
 #include "loosefit/study/cautions.h"
