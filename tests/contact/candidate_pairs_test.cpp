@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <map>
 #include <random>
 
 #include "loosefit/base/error.h"
@@ -352,6 +353,39 @@ TEST(ContactFeatures, SeamsBetweenMaterialsHaveTheMeanThicknessByArea) {
   EXPECT_EQ(f.of_vertex[4].area, 0);
 }
 
+TEST(ContactFeatures, NeighboursAtRestBeginToRepelAtAShareOfTheirDistanceThere) {
+  // Three triangles above each other, the second 4 mm over the first at rest, the third 40 mm.
+  std::vector<Triangle> triangles;
+  std::vector<Vec3> rest;
+  for (double height : {0.0, 0.004, 0.04}) {
+    const int first = static_cast<int>(rest.size());
+    triangles.push_back({first, first + 1, first + 2});
+    for (const Vec3& p : {Vec3(0, 0, height), Vec3(0.01, 0, height), Vec3(0, 0.01, height)})
+      rest.push_back(p);
+  }
+  const std::vector<double> area(3, 5e-5);
+  std::vector<Vec3> x = rest;
+  for (int k = 0; k < 9; ++k) x[k].z() = 0.003 * (k / 3);
+  const auto reaches = [&](const std::vector<Vec3>& known) {
+    CandidatePairs pairs(ContactFeatures(triangles, area, 9, 8e-3, {}, {}, known));
+    std::map<std::pair<int, int>, double> reach;  // by the triangles of the two features
+    for (const FeaturePair& pair : pairs.touching(x))
+      if (pair.kind == PairKind::point_triangle)
+        reach[{pair.particle[0] / 3, pair.particle[1] / 3}] = pair.reach;
+    return reach;
+  };
+  const auto unknown = reaches({});
+  EXPECT_EQ(unknown.size(), 6u);
+  for (const auto& [of, reach] : unknown) EXPECT_DOUBLE_EQ(reach, 8e-3);
+  const auto known = reaches(rest);  // 3 mm apart, the first two are farther than half of 4 mm
+  EXPECT_EQ(known.size(), 4u);
+  EXPECT_FALSE(known.contains({0, 1}));
+  EXPECT_DOUBLE_EQ(known.at({0, 2}), 8e-3);
+  EXPECT_DOUBLE_EQ(known.at({2, 1}), 8e-3);
+  x[3].z() = x[4].z() = x[5].z() = 0.001;
+  EXPECT_NEAR(reaches(rest).at({0, 1}), 2e-3, 1e-12);
+}
+
 TEST(ContactFeatures, BadListsAreRefused) {
   const std::vector<Triangle> one = {{0, 1, 2}};
   const auto make = [&](std::vector<double> area, double thickness, std::vector<double> each,
@@ -365,6 +399,7 @@ TEST(ContactFeatures, BadListsAreRefused) {
   EXPECT_THROW(make({1}, 0, {}, {}), InvalidInput);
   EXPECT_THROW(make({1}, 1e-3, {-1e-3}, {}), InvalidInput);
   EXPECT_THROW(make({1}, 1e-3, {}, {-1}), InvalidInput);
+  EXPECT_THROW(ContactFeatures(one, {1}, 3, 1e-3, {}, {}, {Vec3::Zero()}), InvalidInput);
 }
 
 }  // namespace

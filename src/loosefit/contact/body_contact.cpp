@@ -214,4 +214,12 @@ int BodyContact::active(const particles::VectorField& x) const {
   return count;
 }
 
+std::vector<int> BodyContact::bearing(const particles::VectorField& x) const {
+  const auto& touch = touches(x, false);
+  std::vector<int> found;
+  for (std::size_t i = 0; i < touch.size(); ++i)
+    if (touch[i].active) found.push_back(static_cast<int>(i));
+  return found;
+}
+
 }  // namespace loosefit::contact

@@ -119,6 +119,8 @@ class BodyContact : public particles::Energy,
   }
 
   int active(const particles::VectorField& x) const;
+  /// Indices of the points that bear a force.
+  std::vector<int> bearing(const particles::VectorField& x) const;
   /// f_i += Σ weight · A p ‖∇d‖ over the contact points: magnitudes of the normal force, friction
   /// left out, shared among the particles [N]. Their sum is the total normal force exactly.
   void add_normal_force(const particles::VectorField& x, std::vector<double>& f) const;

@@ -175,20 +175,16 @@ void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
   }
   const auto add = [&](const FeaturePair& pair) {
     Candidate candidate{pair};
-    if (is_near(pair, x, dx, motion, extra, &candidate.slack)) {
-      candidate.slack -= pair.reach;
-      found.push_back(candidate);
-    }
+    candidate.reach = f.reach(pair);
+    if (!is_near(candidate, x, dx, motion, extra, &candidate.slack)) return;
+    candidate.slack -= candidate.reach;
+    found.push_back(candidate);
   };
   const auto add_vertices = [&](int owner, int t) {
     const Triangle& tri = f.triangles[t];
     for (int v : f.owned_vertices[owner])
       if (v >= 0 && v != tri[0] && v != tri[1] && v != tri[2])
-        add({PairKind::point_triangle,
-             v,
-             t,
-             {v, tri[0], tri[1], tri[2]},
-             0.5 * (f.of_vertex[v].thickness + f.of_triangle[t].thickness)});
+        add({PairKind::point_triangle, v, t, {v, tri[0], tri[1], tri[2]}});
   };
   add_vertices(a, b);
   add_vertices(b, a);
@@ -197,11 +193,7 @@ void CandidatePairs::add_pairs(int a, int b, double motion, double margin,
       if (i < 0 || j < 0) continue;
       const auto &p = f.edges[std::min(i, j)], &q = f.edges[std::max(i, j)];
       if (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]) continue;
-      add({PairKind::edge_edge,
-           std::min(i, j),
-           std::max(i, j),
-           {p[0], p[1], q[0], q[1]},
-           0.5 * (f.of_edge[i].thickness + f.of_edge[j].thickness)});
+      add({PairKind::edge_edge, std::min(i, j), std::max(i, j), {p[0], p[1], q[0], q[1]}});
     }
 }
 

@@ -8,10 +8,11 @@
 namespace loosefit::contact {
 namespace {
 
-void expect_length(const char* key, std::size_t found, std::size_t expected) {
+void expect_length(const char* key, std::size_t found, std::size_t expected,
+                   const char* of = "triangles") {
   if (found != expected)
     throw InvalidInput(InputPlace{"", 0, key}, std::to_string(found) + " numbers",
-                       "one for each of " + std::to_string(expected) + " triangles");
+                       "one for each of " + std::to_string(expected) + " " + of);
 }
 
 /// Adds a third of a triangle to a feature at it.
@@ -28,17 +29,35 @@ void share(const ContactFeatures::Properties& triangle, ContactFeatures::Propert
   feature.area = area;
 }
 
+constexpr double kRestShare = 0.5;    ///< of the distance at rest, at which features repel [–]
+constexpr double kLeastReach = 1e-4;  ///< of features that touch at rest [m]
+
 }  // namespace
+
+double ContactFeatures::reach(const FeaturePair& pair) const {
+  const bool edges_meet = pair.kind == PairKind::edge_edge;
+  const Properties& first = edges_meet ? of_edge[pair.first] : of_vertex[pair.first];
+  const Properties& second = edges_meet ? of_edge[pair.second] : of_triangle[pair.second];
+  const double thickness = 0.5 * (first.thickness + second.thickness);
+  if (rest.empty()) return thickness;
+  const double at_rest = pair_distance(pair.kind, pair.points(rest)).distance;
+  return std::min(thickness, std::max(kRestShare * at_rest, kLeastReach));
+}
 
 ContactFeatures::ContactFeatures(const std::vector<Triangle>& all,
                                  const std::vector<double>& triangle_area, int particles,
                                  double thickness, const std::vector<double>& triangle_thickness,
-                                 const std::vector<int>& triangle_layer)
-    : triangles(all), of_triangle(all.size()), of_vertex(particles) {
+                                 const std::vector<int>& triangle_layer,
+                                 std::vector<Vec3> rest_positions)
+    : triangles(all),
+      of_triangle(all.size()),
+      of_vertex(particles),
+      rest(std::move(rest_positions)) {
   expect_length("triangle_area", triangle_area.size(), all.size());
   if (!triangle_thickness.empty())
     expect_length("triangle_thickness", triangle_thickness.size(), all.size());
   if (!triangle_layer.empty()) expect_length("triangle_layer", triangle_layer.size(), all.size());
+  if (!rest.empty()) expect_length("rest", rest.size(), particles, "particles");
   for (std::size_t t = 0; t < all.size(); ++t) {
     Properties& p = of_triangle[t];
     p.area = triangle_area[t];

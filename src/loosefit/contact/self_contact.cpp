@@ -44,7 +44,7 @@ SelfContact::SelfContact(const std::vector<Triangle>& triangles,
                          const Options& options)
     : options_(options),
       candidates_(ContactFeatures(triangles, triangle_area, particles, options.thickness,
-                                  options.triangle_thickness, options.triangle_layer),
+                                  options.triangle_thickness, options.triangle_layer, options.rest),
                   options.list_margin),
       friction_(largest_friction(options), options.stick_reach, kContact.friction.lost_iterations),
       blocks_(particles) {}

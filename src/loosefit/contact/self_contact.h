@@ -30,6 +30,8 @@ class SelfContact : public particles::Energy,
     std::vector<double> triangle_thickness;
     /// As of CandidatePairs [–]: changes what a search costs, not what it finds.
     double list_margin = kContact.broad_phase.margin;
+    /// Places of the particles at rest [m], as of ContactFeatures; empty: not known.
+    std::vector<Vec3> rest;
     /// Layer of each triangle, 0, 1, …; empty: all in layer 0.
     std::vector<int> triangle_layer;
     /// μ between two layers [–], symmetric, a row for each layer; empty: `friction`.

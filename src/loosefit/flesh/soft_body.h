@@ -28,8 +28,8 @@ body::Body displaced(body::Body body, const std::vector<Vec3>& moved);
 /// skin: armpits of arms that hang close, groins and bellies of people who sit. There the skin is
 /// led from a posture in which nothing overlaps as an elastic surface on an elastic foundation
 /// whose folds repel each other (SoftSkin), so it folds without passing through itself and leaves
-/// room for cloth, up to kSkinGap. It holds for trunk, arms and thighs; hands, shanks and the head
-/// stay as built. One caller at a time; a copy is for another one.
+/// room for cloth, up to body::kSkinGap. It holds for trunk, arms and thighs; hands, shanks and the
+/// head stay as built. One caller at a time; a copy is for another one.
 class SoftBody {
  public:
   /// The model has to outlive this.

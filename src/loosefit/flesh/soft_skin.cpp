@@ -13,9 +13,8 @@ constexpr double kFoundation = 1e6;    // [Pa/m]
 constexpr double kReach = 0.02;        ///< over which a displacement dies out [m]
 constexpr double kRim = 1e3;           ///< times as stiff where the skin goes on
 constexpr double kFoldPressure = 3e4;  ///< of skin against skin, well inside the gap [Pa]
-constexpr double kThickest = 0.8;      ///< a fold repels within this share of a triangle's height
-/// Margin of the lists of contact candidates, in edges. The gap is nearly as wide as the triangles,
-/// so a margin as wide as that of cloth would list most of the neighbours in a smooth skin.
+/// Margin of the lists of contact candidates, in edges. The gap is wider than the triangles, so a
+/// margin as wide as that of cloth would list most of the neighbours in a smooth skin.
 constexpr double kListMargin = 0.1;
 constexpr double kPressure = 50;  ///< left over when it is settled [Pa]
 constexpr int kMostIterations = 60;
@@ -27,7 +26,7 @@ SoftSkin::SoftSkin(const SkinPatch& patch, const particles::VectorField& rest,
                    particles::VectorField x, particles::VectorField target)
     : x_(std::move(x)),
       springs_(patch.triangles, stiffness(patch, rest), kFoundation * kReach * kReach),
-      contact_(patch.triangles, area_, static_cast<int>(rest.size()), folds(patch, rest)) {
+      contact_(patch.triangles, area_, static_cast<int>(rest.size()), folds(rest)) {
   springs_.set_target(std::move(target));
   system_.energies = {&springs_, &contact_};
   system_.mass = weight_;
@@ -50,19 +49,13 @@ std::vector<double> SoftSkin::stiffness(const SkinPatch& patch,
   return k;
 }
 
-contact::SelfContact::Options SoftSkin::folds(const SkinPatch& patch,
-                                              const particles::VectorField& rest) const {
+contact::SelfContact::Options SoftSkin::folds(const particles::VectorField& rest) const {
   contact::SelfContact::Options options;
-  options.thickness = kSkinGap;
+  options.thickness = body::kSkinGap;
   options.pressure = kFoldPressure;
   options.friction = 0;
   options.list_margin = kListMargin;
-  for (std::size_t t = 0; t < patch.triangles.size(); ++t) {
-    const auto& [a, b, c] = patch.triangles[t];
-    const double longest = std::max(
-        {(rest[a] - rest[b]).norm(), (rest[b] - rest[c]).norm(), (rest[c] - rest[a]).norm()});
-    options.triangle_thickness.push_back(std::min(kSkinGap, kThickest * 2 * area_[t] / longest));
-  }
+  options.rest = rest;
   return options;
 }
 

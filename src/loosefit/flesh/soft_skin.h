@@ -1,12 +1,11 @@
 #pragma once
+#include "loosefit/body/facing_skin.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/flesh/skin_patch.h"
 #include "loosefit/flesh/skin_springs.h"
 #include "loosefit/solver/particle_system.h"
 
 namespace loosefit::flesh {
-
-inline constexpr double kSkinGap = 0.006;  ///< distance at which folds begin to repel [m]
 
 /// A patch of skin that is drawn to its targets and folds without passing through itself.
 class SoftSkin {
@@ -25,8 +24,7 @@ class SoftSkin {
 
  private:
   std::vector<double> stiffness(const SkinPatch& patch, const particles::VectorField& rest);
-  contact::SelfContact::Options folds(const SkinPatch& patch,
-                                      const particles::VectorField& rest) const;
+  contact::SelfContact::Options folds(const particles::VectorField& rest) const;
 
   particles::VectorField x_;
   std::vector<double> area_;    ///< of the triangles [m²]

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/facing_skin.h"
 #include "loosefit/geometry/triangle_mesh.h"
 #include "loosefit/maps/gap.h"
 
@@ -94,7 +95,7 @@ BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
   load.weight = garment.mass * gravity;
   for (const std::string& limb : limb_names()) load.of_limb[limb] = 0;
   const double reach =
-      2 * material.thickness + std::max(kBothSidesReach, mean_edge(garment, worn.areas));
+      2 * material.thickness + std::max(body::kSkinGap, mean_edge(garment, worn.areas));
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const body::BodyPartner& partner = worn.partners[i];

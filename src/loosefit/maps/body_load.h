@@ -36,10 +36,8 @@ const std::vector<std::string>& limb_names();
 std::string limb_of(body::Region region);
 
 /// Cloth counts as pressed from both sides where skin that looks the other way is nearer than two
-/// layers and this [m], or the mean edge of the mesh if that is longer: triangles do not fold into
-/// a gap narrower than their edges, they are propped in it.
-inline constexpr double kBothSidesReach = 0.003;
-
+/// layers and what folds of skin keep apart (body::kSkinGap), or the mean edge of the mesh if that
+/// is longer: triangles do not fold into a gap narrower than their edges, they are propped in it.
 /// \throws InvalidInput when the drape does not know its normal forces, or when sizes differ.
 BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
                    const WornGarment& worn, const body::PosedBody& body,

@@ -251,7 +251,9 @@ Json settle_json(const drape::SettleReport& report) {
           {"contacts_body", report.contacts_body},
           {"contacts_self", report.contacts_self},
           {"held_off_triangles", report.held_off_triangles},
-          {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset}};
+          {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset},
+          {"bearing_area_m2", report.bearing_area},
+          {"bearing_distance_mm", 1e3 * report.bearing_distance}};
 }
 
 Json unsettled_json(const drape::Unsettled& u) {

@@ -33,6 +33,23 @@ Certificate take(ClothState& state, const ClothState::Kept& kept) {
   return certified(state, kept.stop.value_or(state.how_it_ended()));
 }
 
+constexpr double kMostOfArea = 0.97;  ///< that SettleReport::bearing_distance speaks of [–]
+
+struct AreaAt {
+  double distance = 0, area = 0;  // [m], [m²]
+};
+
+/// Distance within which that share of the area lies; 0 without any area.
+double distance_within(std::vector<AreaAt> areas, double share) {
+  std::sort(areas.begin(), areas.end(),
+            [](const AreaAt& a, const AreaAt& b) { return a.distance < b.distance; });
+  double left = 0;
+  for (const AreaAt& a : areas) left += share * a.area;
+  for (const AreaAt& a : areas)
+    if ((left -= a.area) <= 0) return a.distance;
+  return 0;
+}
+
 }  // namespace
 
 void measure_certificate(ClothState& state) {
@@ -82,6 +99,7 @@ Drape make_drape(ClothState& state) {
     if (state.falling) drape.unsettled->why = state.falling->text();
   }
   // Contacts and what they bear.
+  std::vector<AreaAt> bearing;
   SettleReport& report = state.report;
   report.contacts_self = state.model->self().active(state.x);
   report.contacts_body = 0;
@@ -97,9 +115,16 @@ Drape make_drape(ClothState& state) {
     report.contacts_body += contact.active(state.x);
     for (const contact::ContactPoint& p : contact.points())
       report.largest_contact_offset = std::max(report.largest_contact_offset, p.offset);
+    for (int i : contact.bearing(state.x)) {
+      const contact::ContactPoint& p = contact.points()[i];
+      bearing.push_back({state.body->body.tree().signed_distance(p.position(state.x)), p.area});
+    }
     contact.add_gradient(state.x, drape.body_contact_force);
     contact.add_normal_force(state.x, drape.body_normal_force);
   }
+  report.bearing_area = 0;
+  for (const AreaAt& a : bearing) report.bearing_area += a.area;
+  report.bearing_distance = distance_within(std::move(bearing), kMostOfArea);
   for (Vec3& f : drape.body_contact_force) f = -f;
   drape.positions = state.x;
   drape.report = report;
