@@ -58,6 +58,19 @@ TEST(BodyContact, ForceAndStiffnessAreDerivativesOfTheEnergy) {
   support::expect_derivatives(contact, scene.x, 1e-8, 2e-5);
 }
 
+TEST(BodyContact, PointsBearAForceThatTheFieldSeesWithinTheOffset) {
+  const Scene scene;
+  const BodyContact contact = scene.contact(0.3);
+  const std::vector<int> bearing = contact.bearing(scene.x);
+  EXPECT_EQ(static_cast<int>(bearing.size()), contact.active(scene.x));
+  std::vector<int> within;
+  for (std::size_t i = 0; i < contact.points().size(); ++i)
+    if (contact.field_distance(contact.points()[i], scene.x, 1) < kOffset)
+      within.push_back(static_cast<int>(i));
+  EXPECT_EQ(bearing, within);
+  EXPECT_LT(bearing.size(), contact.points().size());
+}
+
 TEST(BodyContact, ForceWithFrictionIsTheDerivativeOfTheEnergyStickingAndSliding) {
   const Scene scene;
   for (double slide : {0.3 * kReach, 5 * kReach}) {

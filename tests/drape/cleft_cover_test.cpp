@@ -62,6 +62,11 @@ body::Body arm_raised(double cleft, double degrees) {
   return body;
 }
 
+TEST(ArmpitCovers, AndCleftCoversFillWhatFleshKeepsApart) {
+  EXPECT_FALSE(cleft_cover(two_balls(0.006)).triangles.empty());
+  EXPECT_FALSE(armpit_covers(arm_raised(0.006, 80)).empty());
+}
+
 TEST(ArmpitCovers, FillAFoldAllAlongAndLeaveWhereClothHasRoom) {
   const body::Body body = arm_raised(0.002, 80);
   const std::vector<geometry::TriangleMesh> covers = armpit_covers(body);

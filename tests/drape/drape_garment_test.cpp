@@ -75,6 +75,12 @@ void expect_certificate_holds_under_independent_tests() {
   EXPECT_GT(d.report.total().iterations, 0);
   EXPECT_GT(d.report.total().factorisations, 0);
   EXPECT_GT(d.report.contacts_body, 100);
+  // Force acts on a part of the cloth, which lies on the skin.
+  EXPECT_GT(d.report.bearing_area, 0);
+  EXPECT_LT(d.report.bearing_area, wearer().garment.finest().area);
+  ASSERT_TRUE(d.report.bearing_distance.has_value());
+  EXPECT_GT(*d.report.bearing_distance, 0);
+  EXPECT_LT(*d.report.bearing_distance, d.report.largest_contact_offset + 1e-4);
   ASSERT_FALSE(d.report.history.empty());
   double last = 0;
   for (const SettleSample& s : d.report.history) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/body/facing_skin.h"
 #include "support/tube_garment.h"
 
 namespace loosefit::maps {
@@ -73,17 +74,16 @@ TEST(BodyLoad, NearSharesAreOfTheAreaByGap) {
 
 TEST(BodyLoad, ClothBetweenArmAndTrunkIsSqueezedWhenBothAreNear) {
   EXPECT_EQ(Scene(0.5).load().between_arm_and_trunk, 0);
-  // Within two layers and 3 mm of the arm: the first vertex is 3.75 mm off it, the second 2.2 mm.
-  EXPECT_DOUBLE_EQ(Scene(0.004).load().between_arm_and_trunk, 5);
-  // 5 mm apart: 4.75 mm is too far for the first, 3.2 mm is not for the second.
-  EXPECT_DOUBLE_EQ(Scene(0.005).load().between_arm_and_trunk, 3);
+  // Up to two layers and the gap of folds, 9 mm, from the arm: 0.25 and 1.8 mm less than it is off.
+  EXPECT_DOUBLE_EQ(Scene(0.001 + body::kSkinGap).load().between_arm_and_trunk, 5);
+  EXPECT_DOUBLE_EQ(Scene(0.002 + body::kSkinGap).load().between_arm_and_trunk, 3);
 }
 
 TEST(BodyLoad, ClothProppedInAGapNarrowerThanItsEdgesIsSqueezed) {
   Scene scene(0.012);
   EXPECT_EQ(scene.load().between_arm_and_trunk, 0);
   scene.worn.areas = {1e-4, 1e-4};
-  // Mean area 2 cm²: edges of 21.5 mm; of 0.2 cm²: 6.8 mm.
+  // Mean area 2 cm²: edges of 21.5 mm; of 0.2 cm²: 6.8 mm, less than the gap of folds.
   scene.garment.triangles = {{0, 1, 0}};
   EXPECT_DOUBLE_EQ(scene.load().between_arm_and_trunk, 5);
   scene.garment.triangles.assign(10, {0, 1, 0});

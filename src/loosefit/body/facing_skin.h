@@ -10,7 +10,7 @@ namespace loosefit::body {
 inline constexpr double kFacingSkin = 0.03;
 
 /// Distance at which folds of skin begin to repel each other where flesh gives way (module flesh)
-/// [m], and nearly that at which they come to rest. A field of distances of 5 mm must tell both
+/// [m]; they come to rest at 6 to 7 mm. A field of distances of 5 mm must tell both
 /// skins of a cleft apart, and two layers of cloth of 10 mm edges must lie there without cutting
 /// them (docs/decisions/0011-soft-flesh.md).
 inline constexpr double kSkinGap = 0.008;

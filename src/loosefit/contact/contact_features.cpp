@@ -1,6 +1,7 @@
 #include "loosefit/contact/contact_features.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/mesh_topology.h"
@@ -39,25 +40,24 @@ double ContactFeatures::reach(const FeaturePair& pair) const {
   const Properties& first = edges_meet ? of_edge[pair.first] : of_vertex[pair.first];
   const Properties& second = edges_meet ? of_edge[pair.second] : of_triangle[pair.second];
   const double thickness = 0.5 * (first.thickness + second.thickness);
-  if (rest.empty()) return thickness;
-  const double at_rest = pair_distance(pair.kind, pair.points(rest)).distance;
+  if (rest_positions.empty()) return thickness;
+  const double at_rest = pair_distance(pair.kind, pair.points(rest_positions)).distance;
   return std::min(thickness, std::max(kRestShare * at_rest, kLeastReach));
 }
 
 ContactFeatures::ContactFeatures(const std::vector<Triangle>& all,
                                  const std::vector<double>& triangle_area, int particles,
                                  double thickness, const std::vector<double>& triangle_thickness,
-                                 const std::vector<int>& triangle_layer,
-                                 std::vector<Vec3> rest_positions)
+                                 const std::vector<int>& triangle_layer, std::vector<Vec3> rest)
     : triangles(all),
       of_triangle(all.size()),
       of_vertex(particles),
-      rest(std::move(rest_positions)) {
+      rest_positions(std::move(rest)) {
   expect_length("triangle_area", triangle_area.size(), all.size());
   if (!triangle_thickness.empty())
     expect_length("triangle_thickness", triangle_thickness.size(), all.size());
   if (!triangle_layer.empty()) expect_length("triangle_layer", triangle_layer.size(), all.size());
-  if (!rest.empty()) expect_length("rest", rest.size(), particles, "particles");
+  if (!rest_positions.empty()) expect_length("rest", rest_positions.size(), particles, "particles");
   for (std::size_t t = 0; t < all.size(); ++t) {
     Properties& p = of_triangle[t];
     p.area = triangle_area[t];

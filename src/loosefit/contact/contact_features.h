@@ -38,7 +38,7 @@ struct ContactFeatures {
                   const std::vector<int>& triangle_layer, std::vector<Vec3> rest = {});
 
   /// Distance at which two features begin to repel [m]: their mean thickness, but no more than half
-  /// of their distance at rest where that is known.
+  /// of their distance at rest where that is known, or 0.1 mm.
   double reach(const FeaturePair& pair) const;
 
   struct Properties {
@@ -50,7 +50,7 @@ struct ContactFeatures {
   std::vector<std::array<int, 2>> edges;  ///< lower particle first, sorted
   std::vector<Properties> of_triangle, of_edge, of_vertex;
   double max_thickness = 0;
-  std::vector<Vec3> rest;
+  std::vector<Vec3> rest_positions;  ///< [m]; empty: not known
 
   /// Every edge, and every vertex that bears area, belongs to just one triangle, so that going
   /// through pairs of triangles meets every pair of features once (Curtis, Tamstorf and Manocha

@@ -7,12 +7,13 @@
 #include <set>
 #include <string>
 
+#include "loosefit/body/facing_skin.h"
 #include "loosefit/geometry/convex_hull.h"
 
 namespace loosefit::drape {
 namespace {
 
-constexpr double kNarrow = 0.008;               ///< width of a cleft [m]
+constexpr double kNarrow = body::kSkinGap;      ///< width of a cleft [m]
 constexpr double kBelow = 0.15, kAbove = 0.05;  ///< of the crotch, where it is looked for [m]
 constexpr double kAside = 0.06, kBeforeBehind = 0.15;
 /// It reaches into the flesh [m], so that nothing between its surface and the skin counts as free.
@@ -24,9 +25,9 @@ constexpr double kAlong = 0.025;  ///< of a fold, that one hull fills [m]
 constexpr double kOverlap = 0.006;
 constexpr double kRaised = radians(45), kOnTheWayUp = radians(33);
 
-constexpr double kBehindEar = 0.02;  ///< width of the furrow there, and of hollows in an ear [m]
-constexpr double kBesideFace = 0.6;  ///< of half of the head's width: eyes and mouth are no ears
-constexpr double kUnderEar = 0.01;   ///< that the hull reaches into the head [m]
+constexpr double kBehindEar = 0.015;  ///< width of the furrow there, and of hollows in an ear [m]
+constexpr double kBesideFace = 0.6;   ///< of half of the head's width: eyes and mouth are no ears
+constexpr double kUnderEar = 0.01;    ///< that the hull reaches into the head [m]
 
 /// By more than that from hanging down along the trunk; `side`: "L" or "R". Not raised where joints
 /// are not known.
@@ -56,10 +57,11 @@ std::set<Place> places_along_fold(const Vec3& off) {
   return places;
 }
 
-/// Half of the cleft away from the skin there is other skin nearer than that.
+/// Whether other skin is nearer than a cleft is wide, looking along the normal: two thirds of the
+/// width away from the skin, nothing else is nearer to a place than that third which is left.
 bool faces_other_skin(const body::PosedBody& body, std::size_t vertex, double width = kNarrow) {
-  const Vec3 middle = body->surface.vertices[vertex] + width / 2 * body->normals[vertex];
-  return body.tree().signed_distance(middle) < width / 4;
+  const Vec3 within = body->surface.vertices[vertex] + 2 * width / 3 * body->normals[vertex];
+  return body.tree().signed_distance(within) < width / 3;
 }
 
 }  // namespace

@@ -88,9 +88,11 @@ struct SettleReport {
   /// rest distance from the skin that any contact point has for it [m].
   int held_off_triangles = 0;
   double largest_contact_offset = 0;
-  /// Area of the contact points that bear a force, by which they stand for the cloth [m²], and the
-  /// distance of the middle surface from the skin within which 97 % of it lies [m].
-  double bearing_area = 0, bearing_distance = 0;
+  /// Area of the cloth for which the contact points stand that bear a force [m²], and the distance
+  /// of the middle surface from what contact sees (skin, or what fills a cleft) within which 97 %
+  /// of it lies [m]; absent where nothing bears.
+  double bearing_area = 0;
+  std::optional<double> bearing_distance;
   std::vector<SettleSample> history;
   /// Spacing of the field of distances where it had to be coarser than asked for [m]; else 0.
   double coarsened_field = 0;

@@ -237,9 +237,9 @@ struct CertifyTuning {
   int smoothed_triangles = 60;
   int smoothing_rounds = 40;
   double smoothed_clear = 2e-3;
-  /// Spacing of the field for a second try, when triangles cut after the first [m]. Folds of
-  /// armpits are 2 to 4 mm wide. Between the nodes of the usual grid, 5 mm apart, the middle of
-  /// such a fold reads as skin, and cloth rests up to a millimetre beside it.
+  /// Spacing of the field for a second try, when triangles cut after the first [m]. Folds
+  /// that flesh has not opened are 2 to 4 mm wide. Between the nodes of the usual grid, 5 mm apart,
+  /// the middle of such a fold reads as skin, and cloth rests up to a millimetre beside it.
   double fold_field_spacing = 0.0028;
   /// Fall of the residual that makes a state worth keeping [–]: a copy costs a tenth of an
   /// iteration.

@@ -13,8 +13,9 @@ constexpr double kFoundation = 1e6;    // [Pa/m]
 constexpr double kReach = 0.02;        ///< over which a displacement dies out [m]
 constexpr double kRim = 1e3;           ///< times as stiff where the skin goes on
 constexpr double kFoldPressure = 3e4;  ///< of skin against skin, well inside the gap [Pa]
-/// Margin of the lists of contact candidates, in edges. The gap is wider than the triangles, so a
-/// margin as wide as that of cloth would list most of the neighbours in a smooth skin.
+/// Margin of the lists of contact candidates, in edges: neighbours repel from half of their
+/// distance at rest, and a margin as wide as that of cloth would list most of those in a smooth
+/// skin.
 constexpr double kListMargin = 0.1;
 constexpr double kPressure = 50;  ///< left over when it is settled [Pa]
 constexpr int kMostIterations = 60;

@@ -10,8 +10,8 @@ namespace loosefit::flesh {
 /// A patch of skin that is drawn to its targets and folds without passing through itself.
 class SoftSkin {
  public:
-  /// rest: positions of all vertices of the patch from which areas are taken; x, target: positions
-  /// now, and where their springs pull them [m].
+  /// rest: positions of all vertices of the patch from which areas and distances of neighbours are
+  /// taken; x, target: positions now, and where their springs pull them [m].
   SoftSkin(const SkinPatch& patch, const particles::VectorField& rest, particles::VectorField x,
            particles::VectorField target);
   SoftSkin(const SoftSkin&) = delete;

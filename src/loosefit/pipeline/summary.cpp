@@ -253,7 +253,8 @@ Json settle_json(const drape::SettleReport& report) {
           {"held_off_triangles", report.held_off_triangles},
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset},
           {"bearing_area_m2", report.bearing_area},
-          {"bearing_distance_mm", 1e3 * report.bearing_distance}};
+          {"bearing_distance_mm",
+           report.bearing_distance ? Json(1e3 * *report.bearing_distance) : Json(nullptr)}};
 }
 
 Json unsettled_json(const drape::Unsettled& u) {

@@ -39,15 +39,28 @@ struct AreaAt {
   double distance = 0, area = 0;  // [m], [m²]
 };
 
-/// Distance within which that share of the area lies; 0 without any area.
-double distance_within(std::vector<AreaAt> areas, double share) {
+/// Distance within which that share of the area lies.
+std::optional<double> distance_within(std::vector<AreaAt> areas, double share) {
   std::sort(areas.begin(), areas.end(),
             [](const AreaAt& a, const AreaAt& b) { return a.distance < b.distance; });
   double left = 0;
   for (const AreaAt& a : areas) left += share * a.area;
   for (const AreaAt& a : areas)
     if ((left -= a.area) <= 0) return a.distance;
-  return 0;
+  return {};
+}
+
+/// Where the contact points lie that bear a force. The field is asked for a bound, the surfaces
+/// behind it for the distance.
+void add_bearing(const contact::BodyContact& contact, const contact::DistanceField& field,
+                 const std::vector<Vec3>& x, double largest_field_error,
+                 std::vector<AreaAt>& bearing) {
+  for (int i : contact.bearing(x)) {
+    const contact::ContactPoint& p = contact.points()[i];
+    const double seen = contact.field_distance(p, x, p.offset + largest_field_error);
+    bearing.push_back(
+        {field.exact_distance(p.position(x), std::abs(seen) + largest_field_error), p.area});
+  }
 }
 
 }  // namespace
@@ -115,10 +128,7 @@ Drape make_drape(ClothState& state) {
     report.contacts_body += contact.active(state.x);
     for (const contact::ContactPoint& p : contact.points())
       report.largest_contact_offset = std::max(report.largest_contact_offset, p.offset);
-    for (int i : contact.bearing(state.x)) {
-      const contact::ContactPoint& p = contact.points()[i];
-      bearing.push_back({state.body->body.tree().signed_distance(p.position(state.x)), p.area});
-    }
+    add_bearing(contact, field, state.x, state.tuning.penetrations.largest_field_error, bearing);
     contact.add_gradient(state.x, drape.body_contact_force);
     contact.add_normal_force(state.x, drape.body_normal_force);
   }
