@@ -261,7 +261,7 @@ std::string case_address(const scenario::Scenario& scenario,
     garment.spec.file = digest_of(garment.spec.file);
   }
   std::string text =
-      "loosefit case 3\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
+      "loosefit case 4\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
   for (const std::string& modality : modalities) {
     const placement::Scorecard card = io::load_scorecard(modality);
     const bool file = modality.find('/') != std::string::npos;
