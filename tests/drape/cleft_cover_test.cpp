@@ -62,9 +62,11 @@ body::Body arm_raised(double cleft, double degrees) {
   return body;
 }
 
-TEST(ArmpitCovers, AndCleftCoversFillWhatFleshKeepsApart) {
-  EXPECT_FALSE(cleft_cover(two_balls(0.006)).triangles.empty());
-  EXPECT_FALSE(armpit_covers(arm_raised(0.006, 80)).empty());
+TEST(ArmpitCovers, AndCleftCoversLeaveFoldsThatFleshHasOpened) {
+  EXPECT_FALSE(cleft_cover(two_balls(0.004)).triangles.empty());
+  EXPECT_FALSE(armpit_covers(arm_raised(0.004, 80)).empty());
+  EXPECT_TRUE(cleft_cover(two_balls(0.0065)).triangles.empty());
+  EXPECT_TRUE(armpit_covers(arm_raised(0.0065, 80)).empty());
 }
 
 TEST(ArmpitCovers, FillAFoldAllAlongAndLeaveWhereClothHasRoom) {

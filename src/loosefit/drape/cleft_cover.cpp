@@ -7,13 +7,14 @@
 #include <set>
 #include <string>
 
-#include "loosefit/body/facing_skin.h"
 #include "loosefit/geometry/convex_hull.h"
 
 namespace loosefit::drape {
 namespace {
 
-constexpr double kNarrow = body::kSkinGap;      ///< width of a cleft [m]
+/// Width of a cleft [m]. Folds that flesh has opened (body::kSkinGap) are wider: cloth has room
+/// there, and filled ones caught it.
+constexpr double kNarrow = 0.006;
 constexpr double kBelow = 0.15, kAbove = 0.05;  ///< of the crotch, where it is looked for [m]
 constexpr double kAside = 0.06, kBeforeBehind = 0.15;
 /// It reaches into the flesh [m], so that nothing between its surface and the skin counts as free.
