@@ -10,9 +10,9 @@ namespace loosefit::body {
 inline constexpr double kFacingSkin = 0.03;
 
 /// Distance at which folds of skin begin to repel each other where flesh gives way (module flesh)
-/// [m]; they come to rest at 6 to 7 mm. A field of distances of 5 mm must tell both
-/// skins of a cleft apart, and two layers of cloth of 10 mm edges must lie there without cutting
-/// them (docs/decisions/0011-soft-flesh.md).
+/// [m]; they come to rest at 6 to 7 mm. A field of distances of 5 mm must tell both skins of a
+/// cleft apart, and two layers of cloth of 10 mm edges must lie there without cutting them
+/// (docs/decisions/0011-soft-flesh.md).
 inline constexpr double kSkinGap = 0.008;
 
 /// Whether other skin of a surface faces a place p of it within kFacingSkin: ahead along its unit

@@ -13,7 +13,8 @@ namespace loosefit::contact {
 /// pairs. A barrier (BarrierPair) keeps them apart, continuous detection limits every step, so
 /// cloth that starts free of intersections stays so (Li et al. 2020; Li, Kaufman and Jiang 2021).
 /// Features that share a vertex are no pairs. The reach of a pair is the mean thickness of its two
-/// features, half a thickness on either side, or less (ContactFeatures::reach). Friction as in Friction.
+/// features, half a thickness on either side, or less (ContactFeatures::reach). Friction as in
+/// Friction.
 ///
 /// One caller at a time: working memory is kept between the calls, the const ones too.
 class SelfContact : public particles::Energy,

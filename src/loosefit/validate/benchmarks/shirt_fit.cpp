@@ -42,7 +42,7 @@ const Wearer kWearers[] = {{"woman of 0.88 m chest",
                            {"man of 1.00 m chest",
                             "sex = \"male\"\nage = 35\nheight = 1.78\n"
                             "measurements = { chest = 1.00, waist = 0.86, hip = 1.00 }",
-                            "", 0.014, 0, 6, 0.40}};
+                            "", 0.014, 0, 3, 0.40}};
 
 const char* const kUnderarm =
     "10 % are cut round the underarm, which lies 1 to 2 cm over the level of the chest: there the "
@@ -52,8 +52,10 @@ const char* const kBackHangs =
     "5 to 14 mm over the lowest place; the back hangs 7 to 14 mm under the front where shoulders "
     "slope by 0.34 to 0.37, and 3 to 4 mm over it by 0.41. On six women all is within 7 mm";
 const char* const kPeeling =
-    "cloth peels off within a triangle of which a corner is pressed, and between its corners a flat "
-    "triangle stands off a round limb by up to the height of its chord, h²κ/8: 0.4 mm at 10 mm edges "
+    "cloth peels off within a triangle of which a corner is pressed, and between its corners a "
+    "flat "
+    "triangle stands off a round limb by up to the height of its chord, h²κ/8: 0.4 mm at 10 mm "
+    "edges "
     "on a forearm, 0.8 mm at 14 mm (docs/decisions/0013-contact-sees-the-skin.md)";
 
 /// Mean height of the hem at its places over the donnings [m].
