@@ -53,10 +53,9 @@ const char* const kBackHangs =
     "slope by 0.34 to 0.37, and 3 to 4 mm over it by 0.41. On six women all is within 7 mm";
 const char* const kPeeling =
     "cloth peels off within a triangle of which a corner is pressed, and between its corners a "
-    "flat "
-    "triangle stands off a round limb by up to the height of its chord, h²κ/8: 0.4 mm at 10 mm "
-    "edges "
-    "on a forearm, 0.8 mm at 14 mm (docs/decisions/0013-contact-sees-the-skin.md)";
+    "flat triangle stands off a round limb by up to the height of its chord, h²κ/8: 0.4 mm at "
+    "10 mm edges on a forearm, 0.8 mm at 14 mm "
+    "(docs/decisions/0013-contact-sees-the-skin.md)";
 
 /// Mean height of the hem at its places over the donnings [m].
 HemHeights hem_heights(const std::vector<WornDrape>& drapes) {
