@@ -176,10 +176,10 @@ def build_and_demo(context):
 CLAIMS = [
     Claim("Five-minute start", build_and_demo),
     Claim("2.4 GB of packages", package_size),
-    Claim("a 89 MB body model", body_size),
+    Claim("an 89 MB body model", body_size),
     Claim("the demo takes some thirty seconds on two cores", demo_seconds),
-    Claim("run it again on such a machine, get the same bits", same_bits),
-    Claim("the net force is below a thousandth of the weight", demo_balance),
+    Claim("run it again with this build on a processor of this kind, get the same bits", same_bits),
+    Claim("net forces on its particles are below a thousandth of their weights", demo_balance),
     Claim("an exact test finds no intersection with the body or with itself", demo_intersections),
     Claim("Otherwise it is sealed: no maps are made unless asked for, and the exit code is 1", sealed),
     Claim("| file | what it is |", demo_files),

@@ -76,8 +76,8 @@ struct ImpactTuning {
 
 /// Barrier between features of cloth (SelfContact).
 struct BarrierTuning {
-  /// p₀ [Pa]. At half the reach the barrier then bears 5 kPa, as the layer on the skin does
-  /// (ClothModelTuning::layer_pressure), at nine tenths 130 Pa.
+  /// p₀ [Pa]. At half the reach the barrier then bears 5 kPa, as the linear part of the layer on
+  /// the skin does at half the thickness (ClothModelTuning::layer_pressure), at nine tenths 130 Pa.
   double pressure = 4000;
   /// Mollifier threshold of edges that are nearly parallel, times both squared rest lengths (Li et
   /// al. 2020, section 4.2).

@@ -13,7 +13,7 @@ namespace loosefit::drape {
 namespace {
 
 /// Width of a cleft [m]. Folds that flesh has opened (body::kSkinGap) are wider: cloth has room
-/// there, and filled ones caught it.
+/// there, and filling would hold it.
 constexpr double kNarrow = 0.006;
 constexpr double kBelow = 0.15, kAbove = 0.05;  ///< of the crotch, where it is looked for [m]
 constexpr double kAside = 0.06, kBeforeBehind = 0.15;

@@ -15,8 +15,9 @@ namespace loosefit::drape {
 
 /// Energies of the cloth (ClothModel).
 struct ClothModelTuning {
-  /// Pressure that compresses half the thickness of a fabric of `reference_stiffness` [Pa]: above
-  /// the pressures of clothing; changes the gap of pressed cloth by a fraction of its thickness.
+  /// Pressure that would compress half the thickness of a fabric of `reference_stiffness` by the
+  /// linear part of the law [Pa]: above the pressures of clothing; changes the gap of pressed cloth
+  /// by a fraction of its thickness.
   double layer_pressure = 5000;
   /// Membrane stiffness from which on a fabric presses harder in proportion [N/m]; that of the
   /// paper's cotton.

@@ -101,7 +101,7 @@ inline constexpr int kMostDonnings = 100;
 /// [donning]: how the wearer settles the garment once it is on, and putting it on again and again,
 /// never quite alike.
 struct ScenarioDonning {
-  /// In this order, by name; one may come several times. Empty: none.
+  /// In this order, by name, each at most once. Empty: none.
   std::vector<std::string> movements{kMovementNames.begin(), kMovementNames.end()};
   double movement_spread = 0.3;  ///< standard deviation of ln of their sizes in further donnings
   int repeats = 1;
