@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 
@@ -181,13 +182,13 @@ TEST(DrapeGarment, IterationsOfTheWholeDrapeEndItWithTheLowestResidual) {
   EXPECT_TRUE(d.unsettled.has_value());
 }
 
-/// The recoveries of a drape that has not settled until it is lifted off, and cuts the skin so
+/// The recoveries of a drape that has not settled until one of them is tried, and cuts the skin so
 /// often until then.
 class FailsAtFirst {
  public:
-  explicit FailsAtFirst(int cuts = 0) {
+  explicit FailsAtFirst(RecoveryKind kind, int cuts = 0) {
     for (Recovery& row : table_)
-      if (row.kind == RecoveryKind::lift_off) {
+      if (row.kind == kind) {
         row.has_failed = [this, cuts, failed = row.has_failed](ClothState& state) {
           if (failing_) {
             state.certificate.residual = 1;  // as if it had not come to rest
@@ -208,6 +209,49 @@ class FailsAtFirst {
   bool failing_ = true;
 };
 
+/// A drape that fails at first, as far as `kind` can tell, and may take so many iterations.
+Drape failing_drape(RecoveryKind kind, int cuts, int max_iterations) {
+  Progress silent;
+  DrapeOptions options;
+  options.max_iterations = max_iterations;
+  const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
+  const FailsAtFirst failing(kind, cuts);
+  ClothState state(layers, options, failing.table(), silent);
+  std::shared_ptr<const WornCloth> worn;
+  return dress_and_settle(state, wearer().path(25, 25), {}, worn);
+}
+
+TEST(DrapeGarment, IsPutOnOnceMoreFromAShiftedStartWhereFewTrianglesCut) {
+  const int most = DrapeOptions{}.max_iterations;
+  const Drape d = failing_drape(RecoveryKind::another_start, 3, most);
+  EXPECT_TRUE(d.report.was_tried(RecoveryKind::another_start));
+  EXPECT_FALSE(d.report.was_tried(RecoveryKind::lift_off));
+  EXPECT_EQ(std::count_if(d.report.parts.begin(), d.report.parts.end(),
+                          [](const PartWork& p) { return p.part == "dress"; }),
+            2);
+  EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
+  EXPECT_EQ(wearer().cuts_body(d.positions, 25), 0);
+  EXPECT_NE(d.positions, standing_drape().positions) << "it went another way";
+  double farthest = 0;
+  for (std::size_t i = 0; i < d.positions.size(); ++i)
+    farthest = std::max(farthest, (d.positions[i] - standing_drape().positions[i]).norm());
+  EXPECT_LT(farthest, 0.05) << "but not far";
+  // The same start again: a drape can be repeated.
+  EXPECT_EQ(failing_drape(RecoveryKind::another_start, 3, most).positions, d.positions);
+  // Where many cut there is no room.
+  const int many = SettlingTuning{}.certify.smoothed_triangles + 1;
+  EXPECT_FALSE(failing_drape(RecoveryKind::another_start, many, most)
+                   .report.was_tried(RecoveryKind::another_start));
+}
+
+TEST(DrapeGarment, KeepsTheFirstDrapeWhereTheSecondStartHasNoTimeToDoBetter) {
+  const int first = standing_drape().report.total().iterations;
+  const Drape d = failing_drape(RecoveryKind::another_start, 3, first + 5);
+  EXPECT_TRUE(d.report.was_tried(RecoveryKind::another_start));
+  EXPECT_EQ(d.positions, standing_drape().positions);
+  EXPECT_LE(d.certificate.residual, 1e-3);
+}
+
 TEST(DrapeGarment, LiftsTheClothOffTheSkinAndSettlesItAnewWhereItDidNotSettle) {
   struct Listener : Progress {
     void update(double, const std::string& note) override { notes.insert(note); }
@@ -215,7 +259,7 @@ TEST(DrapeGarment, LiftsTheClothOffTheSkinAndSettlesItAnewWhereItDidNotSettle) {
   } progress;
   const DrapeOptions options;
   const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
-  const FailsAtFirst failing;
+  const FailsAtFirst failing(RecoveryKind::lift_off);
   ClothState state(layers, options, failing.table(), progress);
   std::shared_ptr<const WornCloth> worn;
   const Drape d = dress_and_settle(state, wearer().path(25, 25), {}, worn);
@@ -233,7 +277,7 @@ TEST(DrapeGarment, TriesAgainWithAFieldThatResolvesFoldsOfSkinWhereTheClothCutsT
   Progress silent;
   const DrapeOptions options;
   const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
-  const FailsAtFirst failing(1);
+  const FailsAtFirst failing(RecoveryKind::lift_off, 1);
   ClothState state(layers, options, failing.table(), silent);
   std::shared_ptr<const WornCloth> worn;
   const Drape d = dress_and_settle(state, wearer().path(25, 25), {}, worn);

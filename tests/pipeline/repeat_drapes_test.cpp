@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
@@ -11,6 +12,7 @@
 #include "loosefit/pipeline/case_files.h"
 #include "loosefit/pipeline/load_case.h"
 #include "loosefit/pipeline/run_case.h"
+#include "loosefit/pipeline/summary.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -26,6 +28,11 @@ CaseResult repeated(const std::string& simulation, const std::string& more = "")
       simulation;
   Progress silent;
   return run_case(io::parse_scenario(text, "case.toml"), silent);
+}
+
+/// What its summary.json tells of settling, place by place.
+nlohmann::json settle_section(const CaseResult& result) {
+  return nlohmann::json::parse(summary_json(result))["settle"].flatten();
 }
 
 class RepeatDrapes : public ::testing::Test {
@@ -76,6 +83,14 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
     EXPECT_EQ(again.repeats.spread.at(key).deviation, spread.deviation) << key;
   }
   EXPECT_EQ(again.warnings, beside.warnings);
+  const nlohmann::json told = settle_section(beside), recalled = settle_section(again);
+  ASSERT_EQ(recalled.size(), told.size());
+  EXPECT_TRUE(told.contains("/recoveries/0/name"));
+  for (const auto& [key, value] : told.items())
+    if (value.is_number())
+      EXPECT_NEAR(recalled[key].get<double>(), value.get<double>(), 1e-12) << key;
+    else
+      EXPECT_EQ(recalled[key], value) << key;
   // Damage is refused before anything is overwritten.
   replace_in("summary.json", "\"repeats\": {", "\"repeats\": {\"maps.odd\": null, ");
   EXPECT_THROW(read_again(), InvalidInput);
@@ -84,8 +99,7 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
 }
 
 TEST_F(RepeatDrapes, OnlyWhatEveryDrapeHasIsSpread) {
-  const CaseResult result =
-      repeated("", "[postures]\nlist = [\"a-pose\", \"forward-bend-15\"]\n");
+  const CaseResult result = repeated("", "[postures]\nlist = [\"a-pose\", \"forward-bend-15\"]\n");
   EXPECT_FALSE(result.repeats.spread.contains("maps.slip_mm.area_mean")) << "of one drape alone";
   ASSERT_TRUE(result.repeats.spread.contains("maps.distance_mm.area_mean"));
   for (const auto& [key, spread] : result.repeats.spread) EXPECT_EQ(spread.count, 3) << key;

@@ -8,6 +8,7 @@
 #include "loosefit/drape/phases/leave_saddle.h"
 #include "loosefit/drape/phases/lift_off.h"
 #include "loosefit/drape/phases/smooth_out.h"
+#include "loosefit/drape/settle_garment.h"
 
 namespace loosefit::drape {
 namespace {
@@ -69,6 +70,16 @@ bool may_settle_off_the_skin(ClothState& state) {
   const Certificate& c = state.certificate;
   return !c.settled() && c.intersections_self == c.folded_edges && state.is_single() &&
          !state.worn && !state.is_over() &&
+         state.options.integrator == IntegratorKind::quasi_static;
+}
+
+/// Few cuts, or none and no rest: a fold that closed on itself, a pinch that another way does not
+/// lead into. Many tell that there is no room.
+bool may_settle_from_another_start(ClothState& state) {
+  const Certificate& c = state.certificate;
+  const int cuts = c.intersections_self + c.intersections_body;
+  return !c.settled() && cuts <= state.tuning.certify.smoothed_triangles && !state.worn &&
+         !state.falling && !state.is_over() &&
          state.options.integrator == IntegratorKind::quasi_static;
 }
 
@@ -145,6 +156,10 @@ const Recoveries& recoveries() {
        "the way may have led away from a better state: without intersections, or of a lower "
        "residual",
        once, may_be_better, take_best_state},
+      {Kind::another_start, Point::certified, "putting the garment on once more, shifted a little",
+       "the first drape of a garment is not settled, and few triangles cut",
+       "folds are not unique: from a start a millimetre beside, others form", once,
+       may_settle_from_another_start, put_on_again},
       {Kind::lift_off, Point::certified, "not at rest; trying once more from farther off the skin",
        "the first drape of a garment is not settled, and does not pass through itself",
        "off the skin, with contacts and friction forgotten, it takes another way to rest", once,

@@ -19,7 +19,8 @@ enum class RecoveryKind {
   leave_saddle,
   smooth_cuts,
   best_state,
-  lift_off
+  lift_off,
+  another_start
 };
 
 /// When it is asked whether something has failed.

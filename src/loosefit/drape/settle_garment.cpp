@@ -17,6 +17,27 @@
 namespace loosefit::drape {
 namespace {
 
+/// From the first start round the body to rest on the finest level.
+void bring_to_rest(ClothState& state) {
+  state.part = "dress";
+  state.progress.stage("dress");
+  dress_on(state);
+  contract_soft(state);
+  disturb_start(state);
+  contract(state);
+
+  state.part = "posture";
+  state.progress.stage("settle");
+  follow_posture(state);
+  state.part = "wear-in";
+  wear_in(state);
+  state.soften_contact(false);
+
+  state.part = "settle";
+  settle_coarse_levels(state);
+  free_penetrations(state);
+}
+
 /// What postures start from.
 std::shared_ptr<const WornCloth> worn_cloth(ClothState& state) {
   state.handed_on.push_back({state.x, state.model->memory()});
@@ -77,27 +98,22 @@ Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
                        const body::BodyPath& wide_path, std::shared_ptr<const WornCloth>& worn) {
   state.path = path, state.wide_path = wide_path;
   state.arms_go_up = raises_an_arm(path(1.0));
-  state.part = "dress";
-  state.progress.stage("dress");
-  dress_on(state);
-  contract_soft(state);
-  disturb_start(state);
-  contract(state);
-
-  state.part = "posture";
-  state.progress.stage("settle");
-  follow_posture(state);
-  state.part = "wear-in";
-  wear_in(state);
-  state.soften_contact(false);
-
-  state.part = "settle";
-  settle_coarse_levels(state);
-  free_penetrations(state);
+  bring_to_rest(state);
   certify_state(state);
   Drape drape = make_drape(state);
   worn = worn_cloth(state);
   return drape;
+}
+
+void put_on_again(ClothState& state) {
+  state.keep(state.first_try, state.last.residual);
+  state.first_try->stop = state.how_it_ended();
+  state.outgrown.push_back(state.body);
+  state.handed_on.clear();
+  state.level = 0;
+  state.friction_share = 1;
+  bring_to_rest(state);
+  certify_state(state);
 }
 
 Drape follow_wearer(ClothState& state, const body::BodyPath& path,

@@ -168,7 +168,8 @@ Fields certify_fields(CertifyTuning& t) {
       .count("smoothed_triangles", t.smoothed_triangles)
       .count("smoothing_rounds", t.smoothing_rounds)
       .length("smoothed_clear", t.smoothed_clear)
-      .length("fold_field_spacing", t.fold_field_spacing);
+      .length("fold_field_spacing", t.fold_field_spacing)
+      .length("restart_perturbation", t.restart_perturbation);
 }
 
 Fields fall_fields(FreeFallTuning& t) {

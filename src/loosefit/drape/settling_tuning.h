@@ -242,6 +242,9 @@ struct CertifyTuning {
   /// that flesh has not opened are 2 to 4 mm wide. Between the nodes of the usual grid, 5 mm apart,
   /// the middle of such a fold reads as skin, and cloth rests up to a millimetre beside it.
   double fold_field_spacing = 0.0028;
+  /// Least rms shift of the start when the garment is put on once more [m]: which of many folds
+  /// forms hangs on less (docs/accuracy.md 3).
+  double restart_perturbation = 1e-3;
   /// Fall of the residual that makes a state worth keeping [–]: a copy costs a tenth of an
   /// iteration.
   double worth_keeping = 0.7;

@@ -6,6 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/text.h"
+#include "loosefit/drape/recoveries.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
@@ -44,6 +45,18 @@ std::vector<drape::PartWork> parts_in(const Json& summary) {
          at<int>(part, "/level") - 1, at<int>(part, "/vertices"), work});
   }
   return parts;
+}
+
+/// Recoveries that this program knows; what others were called elsewhere is left out.
+std::vector<drape::RecoveryCount> recoveries_in(const Json& summary) {
+  std::vector<drape::RecoveryCount> counts;
+  const Json::json_pointer place("/settle/recoveries");
+  if (!summary.contains(place) || !summary[place].is_array()) return counts;
+  for (const Json& entry : summary[place])
+    for (const drape::Recovery& known : drape::recoveries())
+      if (entry.is_object() && entry.value("name", Json()) == known.name)
+        counts.push_back({known.kind, known.name, at<int>(entry, "/times")});
+  return counts;
 }
 
 /// A spread over drapes from other starts.
@@ -99,6 +112,7 @@ std::vector<StageClock::Entry> draping_seconds(const Json& summary) {
 drape::SettleReport report_in(const Json& summary) {
   drape::SettleReport report;
   report.parts = parts_in(summary);
+  report.recoveries = recoveries_in(summary);
   report.ccd_queries = at<int>(summary, "/settle/ccd_queries");
   report.contacts_body = at<int>(summary, "/settle/contacts_body");
   report.contacts_self = at<int>(summary, "/settle/contacts_self");

@@ -50,7 +50,8 @@ const char* const kUnderarm =
 const char* const kBackHangs =
     "why is not known. What is seen, on six men of 0.92 to 1.10 m chest at 16 mm edges: sides hang "
     "5 to 14 mm over the lowest place; the back hangs 7 to 14 mm under the front where shoulders "
-    "slope by 0.34 to 0.37, and 3 to 4 mm over it by 0.41. On six women, same edges, all is within 7 mm";
+    "slope by 0.34 to 0.37, and 3 to 4 mm over it by 0.41. On six women, same edges, all is within "
+    "7 mm";
 const char* const kPeeling =
     "cloth peels off within a triangle of which a corner is pressed, and between its corners a "
     "flat triangle stands off a round limb by up to the height of its chord, h²κ/8: 0.4 mm at "
