@@ -179,7 +179,7 @@ void ClothState::settle(const SettleGoal& goal) {
 }
 
 void ClothState::keep(std::optional<Kept>& kept, double residual) const {
-  kept.emplace(Kept{x, model->memory(), residual, report.held_off_triangles});
+  kept.emplace(Kept{x, model->memory(), residual, report.held_off_triangles, body, start});
 }
 
 bool ClothState::recover(RecoveryPoint point) {

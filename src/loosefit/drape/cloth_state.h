@@ -101,7 +101,9 @@ struct ClothState {
     ClothMemory memory;
     double residual = 0;
     int held_off_triangles = 0;
-    std::optional<Stop> stop = {};  ///< absent: as the drape ends
+    std::shared_ptr<const ContactBody> body;  ///< that the memory asks for distances
+    int start = 0;                            ///< as ClothState::start
+    std::optional<Stop> stop = {};            ///< absent: as the drape ends
   };
   std::optional<Kept> lowest;     ///< that of the lowest residual, penetrations or not
   std::optional<Kept> clear;      ///< that of the lowest residual among those found free of them
@@ -110,9 +112,15 @@ struct ClothState {
   bool best_was_taken = false;    ///< `x` is the best of them
   std::set<int> penetrating;      ///< triangles that cut the skin when last looked
   std::map<int, int> times_cut;   ///< rounds in which each triangle's offsets were raised
-  std::shared_ptr<const WornCloth> worn;    ///< following: where it starts
-  std::vector<WornCloth::Level> handed_on;  ///< putting on: the levels so far
-  std::map<RecoveryKind, int> attempts;     ///< of each, as often as it was tried
+  std::shared_ptr<const WornCloth> worn;  ///< following: where it starts
+  /// How often the garments were put on.
+  struct Start {
+    std::vector<WornCloth::Level> handed_on;  ///< the levels so far
+    std::size_t first_part = 0;               ///< of SettleReport::parts
+  };
+  std::vector<Start> starts{1};
+  int start = 0;                         ///< that `x` comes from
+  std::map<RecoveryKind, int> attempts;  ///< of each, as often as it was tried
 
   int layer_count() const { return static_cast<int>(layers.size()); }
   int level_count() const { return static_cast<int>(layers.front().garment->levels.size()); }

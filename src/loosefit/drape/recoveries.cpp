@@ -74,12 +74,12 @@ bool may_settle_off_the_skin(ClothState& state) {
 }
 
 /// Few cuts, or none and no rest: a fold that closed on itself, a pinch that another way does not
-/// lead into. Many tell that there is no room.
+/// lead into. Many tell that there is no room. Time and iterations must do for all of it.
 bool may_settle_from_another_start(ClothState& state) {
   const Certificate& c = state.certificate;
   const int cuts = c.intersections_self + c.intersections_body;
   return !c.settled() && cuts <= state.tuning.certify.smoothed_triangles && !state.worn &&
-         !state.falling && !state.is_over() &&
+         !state.falling && state.budget.is_half_left() &&
          state.options.integrator == IntegratorKind::quasi_static;
 }
 

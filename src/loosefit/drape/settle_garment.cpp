@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/cleft_cover.h"
 #include "loosefit/drape/phases/certify_state.h"
 #include "loosefit/drape/phases/contract.h"
@@ -40,13 +41,18 @@ void bring_to_rest(ClothState& state) {
 
 /// What postures start from.
 std::shared_ptr<const WornCloth> worn_cloth(ClothState& state) {
-  state.handed_on.push_back({state.x, state.model->memory()});
+  ClothState::Start& start = state.starts[state.start];
+  start.handed_on.push_back({state.x, state.model->memory()});
+  const auto& parts = state.report.parts;
+  const bool is_last = &start == &state.starts.back();
+  const std::size_t next = is_last ? parts.size() : state.starts[state.start + 1].first_part;
   int iterations = 0;
-  for (const PartWork& p : state.report.parts)
-    if (p.level == state.level && (p.part == "settle" || p.part == "retry"))
-      iterations += p.work.iterations;
+  for (std::size_t i = start.first_part; i < parts.size(); ++i)
+    if (parts[i].level == state.level &&
+        (parts[i].part == "retry" || (parts[i].part == "settle" && i < next)))
+      iterations += parts[i].work.iterations;
   return std::make_shared<const WornCloth>(
-      WornCloth{std::move(state.handed_on), state.body, iterations});
+      WornCloth{std::move(start.handed_on), state.body, iterations});
 }
 
 /// Takes up the cloth as it is worn, on the level on which the posture is followed: the coarsest,
@@ -108,11 +114,26 @@ Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
 void put_on_again(ClothState& state) {
   state.keep(state.first_try, state.last.residual);
   state.first_try->stop = state.how_it_ended();
-  state.outgrown.push_back(state.body);
-  state.handed_on.clear();
+  const solver::SettleOutcome last = state.last;
+  state.starts.push_back({{}, state.report.parts.size()});
+  state.start = static_cast<int>(state.starts.size()) - 1;
   state.level = 0;
   state.friction_share = 1;
-  bring_to_rest(state);
+  bool is_there = false;
+  try {
+    bring_to_rest(state);
+    is_there = !state.must_stop() || state.last.residual <= state.options.residual_tolerance;
+  } catch (const GeometryError&) {  // the drape that there is counts for more
+  }
+  if (!is_there) {  // what has not come to rest is no rival, however little it cuts
+    state.falling.reset();
+    state.last = last;
+    state.level = state.level_count() - 1;
+    state.body = state.first_try->body;
+    state.make_model();
+    go_back(state, *state.first_try);
+    state.lowest.reset(), state.clear.reset(), state.saddle.reset();
+  }
   certify_state(state);
 }
 

@@ -20,6 +20,8 @@ class SettlingBudget {
 
   /// Iterations that are left of DrapeOptions::max_iterations.
   int iterations_left() const;
+  /// Whether as much of time and iterations is left as was used.
+  bool is_half_left() const;
   /// Ends a phase of its own after so many more iterations, whatever the drape may take.
   void limit_phase(int iterations) {
     phase_length_ = iterations;

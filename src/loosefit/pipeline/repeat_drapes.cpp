@@ -65,6 +65,8 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
     made.warnings.push_back(fmt::format("repeat {} {}", repeat + 1, what));
   };
   for (const std::string& warning : warnings_since(result.body, body)) warn(warning);
+  if (drapes.back().report.was_tried(drape::RecoveryKind::another_start))
+    warn("was put on once more, shifted a little");
   if (const drape::Certificate& c = drapes.back().certificate; !c.settled()) {
     warn(fmt::format("did not settle ({}); left out", c.stop_reason));
     return made;

@@ -57,9 +57,10 @@ std::string unsettled_advice(const scenario::Scenario& scenario, const drape::Dr
   if (c.reason == drape::StopReason::time_budget) return "raise simulation.time_budget";
   if (c.reason == drape::StopReason::iteration_limit) return "raise simulation.max_iterations";
   if (c.intersections_body > 0 && drape.unsettled) return against_cuts(scenario, *drape.unsettled);
-  std::string text = scenario.simulation.start_perturbation > 0
-                         ? "another start may do: another simulation.seed"
-                         : "another start may do: simulation.start_perturbation = 0.001";
+  const bool disturbed = scenario.simulation.start_perturbation > 0 ||
+                         drape.report.was_tried(drape::RecoveryKind::another_start);
+  std::string text = disturbed ? "another start may do: another simulation.seed"
+                               : "another start may do: simulation.start_perturbation = 0.001";
   if (takes_a_posture(scenario.body)) text += ", or another body.dress_posture";
   return text;
 }

@@ -25,11 +25,9 @@ Certificate certified(ClothState& state, const Stop& stop) {
                  state.options.grade);
 }
 
-/// Goes back to a kept state.
+/// Goes back to a kept state and certifies it.
 Certificate take(ClothState& state, const ClothState::Kept& kept) {
-  state.x = kept.x;
-  state.model->recall(kept.memory);
-  state.report.held_off_triangles = kept.held_off_triangles;
+  go_back(state, kept);
   return certified(state, kept.stop.value_or(state.how_it_ended()));
 }
 
@@ -65,6 +63,15 @@ void add_bearing(const contact::BodyContact& contact, const contact::DistanceFie
 
 }  // namespace
 
+void go_back(ClothState& state, const ClothState::Kept& kept) {
+  state.x = kept.x;
+  state.body = kept.body;
+  state.start = kept.start;
+  state.model->recall(kept.memory);
+  state.model->set_friction_share(1);  // it may be loosened where time was up on the way
+  state.report.held_off_triangles = kept.held_off_triangles;
+}
+
 void measure_certificate(ClothState& state) {
   state.certificate = certified(state, state.how_it_ended());
 }
@@ -80,9 +87,9 @@ void settle_nearer(ClothState& state) {
 
 void take_best_state(ClothState& state) {
   state.best_was_taken = true;
-  const ClothState::Kept now{state.x, state.model->memory(), state.certificate.residual,
-                             state.report.held_off_triangles};
-  const ClothState::Kept* best = &now;
+  std::optional<ClothState::Kept> now;
+  state.keep(now, state.certificate.residual);
+  const ClothState::Kept* best = &*now;
   for (const auto* other : {&state.lowest, &state.clear, &state.first_try, &state.saddle}) {
     if (!other->has_value()) continue;
     const Certificate certificate = take(state, **other);

@@ -14,6 +14,10 @@ void measure_certificate(ClothState& state);
 /// which may come or go: then the residual is above what settling had reached.
 void settle_nearer(ClothState& state);
 
+/// Goes back to a kept state, which was at rest with all of its friction. The model is one of the
+/// finest level.
+void go_back(ClothState& state, const ClothState::Kept& kept);
+
 /// Goes back to the best state that was kept, when it is better than the present one: without
 /// penetrations before with them, then by the residual. Certifies it.
 void take_best_state(ClothState& state);

@@ -20,11 +20,11 @@ constexpr std::uint64_t kSeedStep = 0x9e3779b97f4a7c15;  ///< so that no seed's 
 /// Seeded smooth shift of the start, for repeats and for another start.
 void perturb(ClothState& state) {
   const DrapeOptions& options = state.options;
-  const int restarts = state.attempts[RecoveryKind::another_start];
-  const double shift_rms = std::max(options.start_perturbation,
-                                    restarts > 0 ? state.tuning.certify.restart_perturbation : 0.0);
+  const double shift_rms =
+      std::max(options.start_perturbation,
+               state.start > 0 ? state.tuning.certify.restart_perturbation : 0.0);
   if (!(shift_rms > 0)) return;
-  std::mt19937_64 rng(options.seed + kSeedStep * restarts);
+  std::mt19937_64 rng(options.seed + kSeedStep * state.start);
   std::normal_distribution<double> normal(0, shift_rms);
   const Vec3 shift(normal(rng), normal(rng), normal(rng));
   const double phase = 2 * kPi * std::uniform_real_distribution<double>(0, 1)(rng);
