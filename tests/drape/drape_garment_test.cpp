@@ -289,7 +289,8 @@ TEST(DrapeGarment, KeepsTheFirstDrapeWhereTheSecondCannotBePutOn) {
     if (second && share == 0) throw GeometryError("no room");
     return wearer().path(25, 25)(share);
   };
-  expect_undisturbed(without_room.drape(3, path, [&] { second = true; }), *without_room.worn);
+  const Drape d = without_room.drape(3, path, [&] { second = true; });
+  expect_undisturbed(d, *without_room.worn);
 }
 
 TEST(DrapeGarment, IsNotPutOnAgainWhereLessThanTheFirstStartTookIsLeft) {

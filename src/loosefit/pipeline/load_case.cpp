@@ -114,6 +114,7 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
     RecalledSummary recalled = recall_summary(folder, result);
     for (const StageClock::Entry& entry : recalled.seconds) result.seconds.push_back(entry);
     result.studied().drape.report = std::move(recalled.report);
+    result.body.movements = std::move(recalled.movements);
     result.repeats = std::move(recalled.repeats);
     for (std::size_t s = 0; s < result.wear.states.size(); ++s)
       result.wear.states[s].seconds = recalled.state_seconds[s];

@@ -59,6 +59,16 @@ std::vector<drape::RecoveryCount> recoveries_in(const Json& summary) {
   return counts;
 }
 
+std::vector<CaseMovement> movements_in(const Json& summary) {
+  std::vector<CaseMovement> movements;
+  const Json::json_pointer place("/settle/movements");
+  if (!summary.contains(place) || !summary[place].is_array()) return movements;
+  for (const Json& entry : summary[place])
+    if (entry.is_object() && entry.contains("name") && entry["name"].is_string())
+      movements.push_back({entry["name"].get<std::string>(), at<double>(entry, "/size")});
+  return movements;
+}
+
 /// A spread over drapes from other starts.
 Spread spread_at(const std::string& file, const std::string& key, const Json& entry) {
   const auto number = [&](const char* name) {
@@ -135,6 +145,7 @@ RecalledSummary recall_summary(const std::filesystem::path& folder, const CaseRe
   RecalledSummary recalled;
   recalled.seconds = draping_seconds(summary);
   recalled.report = report_in(summary);
+  recalled.movements = movements_in(summary);
   recalled.repeats = repeats_in(file, summary, loaded.scenario);
   for (std::size_t k = 0; k < loaded.wear.states.size(); ++k)
     recalled.state_seconds.push_back(

@@ -13,6 +13,7 @@ inline constexpr char kMakeAgain[] = "make the drape again: loosefit run scenari
 struct RecalledSummary {
   std::vector<StageClock::Entry> seconds;  ///< of draping
   drape::SettleReport report;              ///< counters; without history
+  std::vector<CaseMovement> movements;     ///< that were made once the garments were on
   CaseRepeats repeats;
   std::vector<double> state_seconds;  ///< as CaseWear::states
 };
