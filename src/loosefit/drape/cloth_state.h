@@ -113,7 +113,7 @@ struct ClothState {
   std::set<int> penetrating;      ///< triangles that cut the skin when last looked
   std::map<int, int> times_cut;   ///< rounds in which each triangle's offsets were raised
   std::shared_ptr<const WornCloth> worn;  ///< following: where it starts
-  /// How often the garments were put on.
+  /// One putting on of the garments.
   struct Start {
     std::vector<WornCloth::Level> handed_on;  ///< the levels so far
     std::size_t first_part = 0;               ///< of SettleReport::parts

@@ -10,8 +10,9 @@ Drape dress_and_settle(ClothState& state, const body::BodyPath& path,
                        const body::BodyPath& wide_path, std::shared_ptr<const WornCloth>& worn);
 
 /// Puts the garments of a drape that has not settled on once more, from a start that is shifted a
-/// little, and certifies the better of both. Time and iterations are those that are left of the
-/// first (ClothState::budget). \throws as dress_on; Cancelled
+/// little, and certifies the better of both; the first, where the second cannot be put on or does
+/// not come to rest. Time and iterations are those that the first left (ClothState::budget).
+/// \throws Cancelled
 void put_on_again(ClothState& state);
 
 /// Takes garments from where dress_and_settle left them (`worn`) to the end of `path`, and settles

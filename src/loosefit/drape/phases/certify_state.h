@@ -14,8 +14,7 @@ void measure_certificate(ClothState& state);
 /// which may come or go: then the residual is above what settling had reached.
 void settle_nearer(ClothState& state);
 
-/// Goes back to a kept state, which was at rest with all of its friction. The model is one of the
-/// finest level.
+/// Goes back to a kept state, with all of its friction. The model is one of the finest level.
 void go_back(ClothState& state, const ClothState::Kept& kept);
 
 /// Goes back to the best state that was kept, when it is better than the present one: without
