@@ -63,7 +63,10 @@ std::vector<KindKey> own_keys() {
 
 std::vector<KindKey> keys() {
   std::vector<KindKey> list = roomy_shirt().keys;
-  std::erase_if(list, [](const KindKey& key) { return key.name.starts_with("neckband_"); });
+  // A hood has no neckband, and a hem that is sewn to a band has no middle seam.
+  std::erase_if(list, [](const KindKey& key) {
+    return key.name.starts_with("neckband_") || key.name == "back_waist";
+  });
   for (KindKey& key : own_keys()) list.push_back(std::move(key));
   return list;
 }

@@ -43,9 +43,19 @@ void lay_seam(dress::PanelOutline& panel, const garment::Garment& g, const std::
 void lay_torso(dress::PanelOutline& panel, const garment::Garment& g, const std::string& part,
                const ShirtFrame& frame, const std::vector<Vec2>& neck) {
   const auto &l = frame.left, &r = frame.right;
-  panel.lay("hem", lowest_part(g, part, "side_L"), {l.hem, r.hem});
-  lay_seam(panel, g, part, "side_L", "armhole_L", "hem", {l.armpit, l.hem});
-  lay_seam(panel, g, part, "side_R", "armhole_R", "hem", {r.armpit, r.hem});
+  // A seam in the middle of the back parts the hem; its legs lie inside the piece as those of a
+  // dart.
+  const bool parted = g.find_part(part, "hem_L") != nullptr;
+  const std::string hem_l = parted ? "hem_L" : "hem", hem_r = parted ? "hem_R" : "hem";
+  if (parted) {
+    const Vec2 middle = 0.5 * (l.hem + r.hem);
+    panel.lay(hem_l, lowest_part(g, part, "side_L"), {l.hem, middle});
+    panel.lay(hem_r, lowest_part(g, part, "side_R"), {r.hem, middle});
+  } else {
+    panel.lay("hem", lowest_part(g, part, "side_L"), {l.hem, r.hem});
+  }
+  lay_seam(panel, g, part, "side_L", "armhole_L", hem_l, {l.armpit, l.hem});
+  lay_seam(panel, g, part, "side_R", "armhole_R", hem_r, {r.armpit, r.hem});
   panel.lay("armhole_L", "side_L", l.armhole);
   panel.lay("armhole_R", "side_R", r.armhole);
   panel.lay("shoulder_L", "armhole_L", {l.shoulder, neck.front()});

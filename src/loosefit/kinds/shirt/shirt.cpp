@@ -59,6 +59,9 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
       {"bust_dart", usual.bust_dart, 0, 1, kFraction,
        "share of the length that the front needs over the bust, taken up in darts at the sides; "
        "below 12 mm no dart is cut"},
+      {"back_waist", usual.back_waist, 0, 0.06, "metres",
+       "taken in at the waist by a seam up the middle of the back; a girth that waist asks for is "
+       "kept; below 5 mm there is no seam"},
       {"elbow_bend", usual.elbow_bend, 0, 40, "degrees",
        "bend of the arm that the sleeve is cut for, by a dart in its back at the elbow"},
       {"neckband_width", usual.neckband, 0, 0.08, "metres",
@@ -179,7 +182,7 @@ GarmentKind shirt_kind(const std::string& name, const std::string& title, const 
   kind.openings = {
       {OpeningUse::neck,
        {{"front", "neck"}, {"back", "neck"}, {"neckband_front", "rim"}, {"neckband_back", "rim"}}},
-      {OpeningUse::hem, {{"front", "hem"}, {"back", "hem"}}},
+      {OpeningUse::hem, {{"front", "hem"}, {"back", "hem"}, {"back", "hem_L"}, {"back", "hem_R"}}},
       {OpeningUse::left_arm,
        {{"sleeve_L_front", "cuff"},
         {"sleeve_L_back", "cuff"},

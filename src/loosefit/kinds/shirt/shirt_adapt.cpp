@@ -47,7 +47,8 @@ std::vector<std::string> fits_of(ShirtRule rule) {
       return {"fit.sleeve_length", "fit.cuff_width", "fit.chest", "fit.shoulder_follow",
               "fit.sleeve"};
     case ShirtRule::torso_outline:
-      return {"fit.chest", "fit.waist", "fit.hip", "fit.neck_ease", "fit.scye_ease"};
+      return {"fit.chest",      "fit.waist",     "fit.hip",
+              "fit.back_waist", "fit.neck_ease", "fit.scye_ease"};
     case ShirtRule::sleeve_outline:
       return {"fit.wrist", "fit.sleeve", "fit.sleeve_length"};
     case ShirtRule::range:
@@ -242,6 +243,7 @@ class Adapter {
     const ShirtFit& fit = shirt_.fit;
     const auto absent = [&](const std::string& key) {
       return (key == "fit.waist" && !fit.waist) ||
+             (key == "fit.back_waist" && fit.back_waist == 0) ||
              (key == "fit.neckband_width" && fit.neckband == 0) ||
              (key == "fit.cuff_width" && fit.cuff == 0);
     };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/kinds/shirt/back_waist.h"
+
 namespace loosefit::kinds {
 
 namespace {
@@ -34,6 +36,26 @@ std::vector<double> monotone_slopes(const std::vector<Vec2>& p) {
     slope[i] =
         chord[i - 1] * chord[i] > 0 ? 2 * chord[i - 1] * chord[i] / (chord[i - 1] + chord[i]) : 0.0;
   return slope;
+}
+
+/// How a side seam passes the waist.
+struct SideAtWaist {
+  double share = 0;      ///< of the way from underarm to hem
+  double width = 0;      ///< x of a seam that is led through it
+  bool through = false;  ///< led through it, else straight
+};
+SideAtWaist side_at_waist(const TorsoLevels& l, double forward) {
+  // Without what is let out for the hem, to which a straight seam adds its share.
+  const double underarm = (1 + l.chest_fit) * l.chest / 4 + forward,
+               hem = (1 + l.hip_fit) * l.hip / 4 + forward;
+  const double hem_y = std::max(l.hem_y, l.hem_y - l.side_drop), taken = l.back_intake / 4;
+  const double share = (l.underarm_y - l.waist_y) / (l.underarm_y - hem_y);
+  const double straight = underarm + share * (hem - underarm);
+  const double needed =
+      (1 + l.chest_fit + share * (l.hip_fit - l.chest_fit)) * l.waist / 4 + forward;
+  const bool between = share > 0 && share < 1;
+  const double width = l.waist_fit ? (1 + *l.waist_fit) * l.waist / 4 + forward : needed;
+  return {share, width + taken, l.waist_fit || (between && needed > straight - taken)};
 }
 
 }  // namespace
@@ -95,16 +117,12 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   const Vec2 underarm((1 + l.chest_fit) * l.chest / 4 + forward, l.underarm_y);
   const double end_y = l.hem_y - l.side_drop;
   // It keeps the girth of the hem below the hem's level.
-  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward, std::max(l.hem_y, end_y));
+  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward + l.back_mouth / 4,
+                 std::max(l.hem_y, end_y));
   pattern::CurveChain side;
   side.start = underarm;
-  const double share = (l.underarm_y - l.waist_y) / (l.underarm_y - hem.y());
-  const double straight = underarm.x() + share * (hem.x() - underarm.x());
-  const double needed =
-      (1 + l.chest_fit + share * (l.hip_fit - l.chest_fit)) * l.waist / 4 + forward;
-  const bool between = share > 0 && share < 1;
-  if (l.waist_fit || (between && needed > straight)) {
-    const Vec2 waist(l.waist_fit ? (1 + *l.waist_fit) * l.waist / 4 + forward : needed, l.waist_y);
+  if (const SideAtWaist at = side_at_waist(l, forward); at.through) {
+    const Vec2 waist(at.width, l.waist_y);
     const Vec2 above(0, 0.4 * (l.underarm_y - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
     side.cubic_to(underarm - above, waist + above, waist).cubic_to(waist - below, hem + below, hem);
   } else {
@@ -112,6 +130,11 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   }
   if (end_y < hem.y()) side.line_to({hem.x(), end_y});
   return side;
+}
+
+double back_opening_at_waist(const TorsoLevels& l) {
+  const SideAtWaist at = side_at_waist(l, 0);
+  return l.back_intake + (at.through ? 0.0 : at.share * l.back_mouth);
 }
 
 double hem_side_drop(double front_balance) { return 0.5 * front_balance; }
@@ -131,7 +154,9 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                               .underarm_y = y_underarm,
                               .waist_y = -m.hps_to_waist,
                               .hem_y = -m.hps_to_hem,
-                              .side_drop = hem_side_drop(m.front_balance)};
+                              .side_drop = hem_side_drop(m.front_balance),
+                              .back_intake = back_waist_intake(fit),
+                              .back_mouth = back_hem_mouth(back_waist_intake(fit))};
   // All levels move alike, which keeps both side seams equal.
   const double forward = side_shift(levels, front);
   const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;
@@ -161,17 +186,25 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                 underarm);
   half.side = draft_side(levels, front);
   // The way down over bust or belly is longer than over the back, and midway at the sides.
-  half.hem = draft_hem(half.side.end(), levels.hem_y - (front ? m.front_balance : 0.0));
+  const double centre = front ? 0.0 : 0.5 * levels.back_mouth;
+  half.hem = draft_hem(half.side.end(), levels.hem_y - (front ? m.front_balance : 0.0), centre);
+  if (!front && levels.back_intake > 0)
+    half.back_seam = draft_back_seam({.underarm_y = y_underarm,
+                                      .waist_y = levels.waist_y,
+                                      .hem_y = levels.hem_y,
+                                      .at_waist = 0.5 * back_opening_at_waist(levels),
+                                      .at_hem = centre});
   return half;
 }
 
-pattern::CurveChain draft_hem(const Vec2& side, double centre_level) {
+pattern::CurveChain draft_hem(const Vec2& side, double centre_level, double centre) {
   pattern::CurveChain hem;
   hem.start = side;
   if (centre_level == side.y())
-    hem.line_to({0, centre_level});
+    hem.line_to({centre, centre_level});
   else
-    hem.cubic_to({0.65 * side.x(), side.y()}, {0.55 * side.x(), centre_level}, {0, centre_level});
+    hem.cubic_to({0.65 * side.x(), side.y()}, {0.55 * side.x(), centre_level},
+                 {centre, centre_level});
   return hem;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/kinds/shirt/back_waist.h"
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_refusal.h"
 #include "loosefit/kinds/told_limit.h"
@@ -81,6 +82,7 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
   in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
   in_range("fit.elbow_bend", fit.elbow_bend, 0.0, 40.0, " degrees");
   in_range("fit.bust_dart", fit.bust_dart, 0.0, 1.0, "");
+  in_range("fit.back_waist", fit.back_waist, 0.0, 0.06, " m");
   check_bands(fit);
 }
 
@@ -117,9 +119,11 @@ void check_shirt_levels(const ShirtMeasures& m, const ShirtFit& fit, double shou
       std::max(0.0, -hem_side_drop(m.front_balance));  // the ends of the side seams
   level(ShirtRule::hem_level, "measures.hps_to_hem", m.hps_to_hem,
         -underarm_y + 2 * kLeast + raised, 1e3);
-  if (fit.waist)
-    level(ShirtRule::waist_level, "measures.hps_to_waist", m.hps_to_waist, -underarm_y + kLeast,
-          m.hps_to_hem - kLeast - raised);
+  const bool shaped = back_waist_intake(fit) > 0;
+  if (fit.waist || shaped)
+    level(ShirtRule::waist_level, "measures.hps_to_waist", m.hps_to_waist,
+          -underarm_y + (shaped ? kBackTipDrop + kBackTipToWaist : kLeast),
+          m.hps_to_hem - (shaped ? kBackWaistToHem : kLeast) - raised);
 }
 
 void check_shirt_outlines(const pattern::Pattern& shirt, const ShirtMeasures& m,

@@ -35,16 +35,24 @@ pattern::Panel torso_panel(const TorsoHalf& half, bool front) {
   pattern::CurveChain neck = to_centre, other = half.neck.mirrored();
   neck.curves.insert(neck.curves.end(), other.curves.begin(), other.curves.end());
   neck.knots.insert(neck.knots.end(), other.knots.begin(), other.knots.end());
-  // From the side at x < 0 to the other one.
-  pattern::CurveChain hem = half.hem.mirrored();
-  const pattern::CurveChain rest = half.hem.reversed();
-  hem.curves.insert(hem.curves.end(), rest.curves.begin(), rest.curves.end());
-  hem.knots.insert(hem.knots.end(), rest.knots.begin(), rest.knots.end());
-  std::vector<std::pair<std::string, pattern::CurveChain>> loop = {{"hem", hem}};
+  std::vector<std::pair<std::string, pattern::CurveChain>> loop;
   // A chain that is empty is left out: a side without a cut, a cut without a dart.
   const auto add = [&](const std::string& name, const pattern::CurveChain& chain) {
     if (!chain.curves.empty()) loop.emplace_back(name, chain);
   };
+  // From the side at x < 0 to the other one.
+  pattern::CurveChain hem = half.hem.mirrored();
+  const pattern::CurveChain rest = half.hem.reversed();
+  if (half.back_seam.curves.empty()) {
+    hem.curves.insert(hem.curves.end(), rest.curves.begin(), rest.curves.end());
+    hem.knots.insert(hem.knots.end(), rest.knots.begin(), rest.knots.end());
+    add("hem", hem);
+  } else {
+    add("hem_" + at_left, hem);
+    add("back_seam_" + at_left, half.back_seam.mirrored());
+    add("back_seam_" + at_right, half.back_seam.reversed());
+    add("hem_" + at_right, rest);
+  }
   add("side_" + at_right + "_below", half.side_below.reversed());
   add("dart_" + at_right + "_below", half.dart_below.reversed());
   add("dart_" + at_right + "_above", half.dart_above.reversed());
@@ -222,6 +230,8 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
                          "dart_above");
     }
   }
+  if (!d.back.back_seam.curves.empty())
+    pattern::sew_edges(shirt, "back_seam", "back", "back_seam_L", "back", "back_seam_R");
   add_bands(shirt, m, fit);
   finish_edges(shirt, fit);
   for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);

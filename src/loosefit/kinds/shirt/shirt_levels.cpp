@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/kinds/shirt/back_waist.h"
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/kinds/shirt/side_seams.h"
@@ -39,14 +40,6 @@ double lowest(const pattern::Panel& piece) {
   return low;
 }
 
-/// How far down a body piece has a girth, to the highest place of its hem; nothing without a hem.
-std::optional<double> whole_down_to(const pattern::Panel& piece) {
-  const int e = pattern::find_edge_part(piece, "hem");
-  if (e < 0) return std::nullopt;
-  const pattern::EdgePath hem(piece, e);
-  return -std::max({hem.at(0).y(), hem.at(0.5).y(), hem.at(1).y()});
-}
-
 }  // namespace
 
 NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
@@ -77,15 +70,14 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   if (front >= 0 && back >= 0) {
     const SideSeams before(shirt.panels[front]), behind(shirt.panels[back]);
     const double down = behind.down_to(-hps_to_waist);
-    add("waist", before.apart(down), behind.apart(down));
+    add("waist", before.apart(down),
+        behind.apart(down) - back_seam_takes(shirt.panels[back], -hps_to_waist));
   }
   // Hip: straight between the ends of the hem, which may be curved.
   const auto hem_width = [&](const char* panel) {
     const int p = shirt.find_part(panel);
-    const int e = p < 0 ? -1 : pattern::find_edge_part(shirt.panels[p], "hem");
-    if (e < 0) return 0.0;
-    const pattern::PanelEdge& hem = shirt.panels[p].edges[e];
-    return (shirt.panels[p].vertices[hem.end] - shirt.panels[p].vertices[hem.start]).norm();
+    const auto hem = p < 0 ? std::nullopt : body_hem(shirt.panels[p]);
+    return hem ? hem->girth : 0.0;
   };
   add("hip", hem_width("front"), hem_width("back"));
   const auto length = [&](const char* panel, const char* edge) {
@@ -160,7 +152,9 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
     trunk.push_back({m.hps_to_hem, f.hip});
   }
   const SideSeams before(*front), behind(*back);
-  const double end = std::min(m.hps_to_hem, whole_down_to(*back).value_or(m.hps_to_hem));
+  // It has a girth down to the highest place of its hem.
+  const std::optional<BodyHem> hem = body_hem(*back);
+  const double end = std::min(m.hps_to_hem, hem ? -hem->highest : m.hps_to_hem);
   stations = stations_along(
       "trunk", {back}, underarm, end, [](double along) { return -along; }, trunk);
   for (FitStation& s : stations) s.garment += before.apart(behind.down_to(-s.along));

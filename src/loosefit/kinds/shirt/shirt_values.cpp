@@ -102,6 +102,7 @@ const std::vector<ShirtFitValue>& shirt_fit_list() {
                                                    {"cap_ratio", &F::cap_ratio},
                                                    {"sleeve_length", &F::sleeve_length},
                                                    {"bust_dart", &F::bust_dart},
+                                                   {"back_waist", &F::back_waist},
                                                    {"elbow_bend", &F::elbow_bend},
                                                    {"neckband_width", &F::neckband},
                                                    {"neckband_stretch", &F::neckband_stretch},
