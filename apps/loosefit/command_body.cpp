@@ -17,6 +17,7 @@
 #include "loosefit/report/fact_documents.h"
 #include "loosefit/report/write_body.h"
 #include "print_document.h"
+#include "standard_error.h"
 
 namespace loosefit {
 namespace {
@@ -118,7 +119,7 @@ void run(Wish wish) {
     body = flesh::SoftBody(model, fit.parameters).in(posture_of(wish));
   }
   for (const auto& warning : fit.warnings)
-    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
+    to_standard_error(fmt::format("warning: {}\n", terminal_line(warning)));
   if (!wish.json) print_words(body, fit);
   if (!wish.out.empty()) report::write_body(wish.out, body, fit);
   if (wish.json)

@@ -18,6 +18,7 @@
 #include "loosefit/report/seam_sheet.h"
 #include "loosefit/report/write_pattern.h"
 #include "print_document.h"
+#include "standard_error.h"
 
 namespace loosefit {
 namespace {
@@ -205,7 +206,7 @@ void run(Wish wish) {
   wish.pattern.fit = given(fit_options(), wish.fit);
   const pipeline::GarmentPattern made = pipeline::make_garment_pattern(wish.pattern);
   for (const std::string& warning : made.warnings)
-    fmt::print(stderr, "warning: {}\n", terminal_line(warning));
+    to_standard_error(fmt::format("warning: {}\n", terminal_line(warning)));
   if (!wish.json) print_words(made);
   if (!wish.out.empty()) report::write_pattern(wish.out, made.pattern, made.notches, made.marks);
   if (wish.json)

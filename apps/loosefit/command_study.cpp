@@ -15,14 +15,15 @@
 #include <set>
 
 #include "exit_code.h"
+#include "interrupted.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/run_folder.h"
-#include "loosefit/io/whole_file.h"
 #include "loosefit/study/analysis.h"
 #include "loosefit/study/analysis_json.h"
 #include "loosefit/study/compare.h"
+#include "loosefit/study/comparison_files.h"
 #include "loosefit/study/gallery.h"
 #include "loosefit/study/report_files.h"
 #include "loosefit/study/run_on_slurm.h"
@@ -34,6 +35,7 @@
 #include "loosefit/study/work_case.h"
 #include "loosefit/study/worker_process.h"
 #include "print_document.h"
+#include "standard_error.h"
 #include "terminal_progress.h"
 
 namespace loosefit {
@@ -48,6 +50,11 @@ struct Arguments {
   study::RunnerOptions runner;
 };
 
+/// Paths and reasons may be no UTF-8.
+void print_json(const Json& json) {
+  print_document(json.dump(1, ' ', false, Json::error_handler_t::replace));
+}
+
 CLI::Option* folder_option(CLI::App* command, const std::shared_ptr<Arguments>& arguments) {
   return command->add_option("DIR", arguments->folder, "folder of the study")->required();
 }
@@ -55,23 +62,24 @@ CLI::Option* folder_option(CLI::App* command, const std::shared_ptr<Arguments>& 
 /// What was hardly meant so.
 void warn_of_plan(const study::Plan& plan) {
   for (const study::UntoldModality& untold : study::untold_modalities(plan))
-    fmt::print(stderr, "warning: {}\n", terminal_line(study::untold_text(untold)));
+    to_standard_error(fmt::format("warning: {}\n", terminal_line(study::untold_text(untold))));
   for (const std::string& axis : study::idle_axes(plan))
-    fmt::print(stderr,
-               "warning: axis {} changes nothing: cases that differ in it alone are the same "
-               "scenario\n",
-               terminal_line(axis));
+    to_standard_error(
+        fmt::format("warning: axis {} changes nothing: cases that differ in it alone are the same "
+                    "scenario\n",
+                    terminal_line(axis)));
   for (const std::string& people : study::left_to_base(plan))
-    fmt::print(stderr, "warning: {}\n", terminal_line(people));
+    to_standard_error(fmt::format("warning: {}\n", terminal_line(people)));
   if (const int same = study::same_as_others(plan); same > 0)
-    fmt::print(stderr,
-               "warning: {} of {} cases are the same scenario as another one; it runs once\n", same,
-               plan.cases.size());
+    to_standard_error(
+        fmt::format("warning: {} of {} cases are the same scenario as another one; it runs once\n",
+                    same, plan.cases.size()));
 }
 
 void tell_aside(const std::filesystem::path& file) {
-  fmt::print(stderr, "note: not known to be as this program wrote it, so it is kept as {}\n",
-             terminal_line(file.string()));
+  to_standard_error(
+      fmt::format("note: not known to be as this program wrote it, so it is kept as {}\n",
+                  terminal_line(file.string())));
 }
 
 /// `open`: addresses that are still to run.
@@ -87,18 +95,17 @@ void print_plan(const study::Plan& plan, const Arguments& arguments,
     Json axes = Json::array();
     for (const study::Axis& axis : plan.study.axes)
       axes.push_back({{"name", axis.name}, {"kind", axis.kind}, {"levels", axis.levels.size()}});
-    print_document(Json({{"study", plan.study.name},
-                         {"cases", plan.cases.size()},
-                         {"drapes", plan.drapes()},
-                         {"axes", axes},
-                         {"estimated_core_seconds", work},
-                         {"estimated_seconds", work / workers},
-                         {"workers", workers},
-                         {"open", to_run},
-                         {"same_as_others", study::same_as_others(plan)},
-                         {"idle_axes", study::idle_axes(plan)},
-                         {"left_to_base", study::left_to_base(plan)}})
-                       .dump(1));
+    print_json({{"study", plan.study.name},
+                {"cases", plan.cases.size()},
+                {"drapes", plan.drapes()},
+                {"axes", axes},
+                {"estimated_core_seconds", work},
+                {"estimated_seconds", work / workers},
+                {"workers", workers},
+                {"open", to_run},
+                {"same_as_others", study::same_as_others(plan)},
+                {"idle_axes", study::idle_axes(plan)},
+                {"left_to_base", study::left_to_base(plan)}});
     return;
   }
   fmt::print("study    {}\ndesign   {}\n", terminal_line(plan.study.name),
@@ -148,13 +155,6 @@ void make_plan_command(CLI::App* parent, const std::shared_ptr<Arguments>& argum
     print_plan(plan, *arguments, open);
     warn_of_plan(plan);
   });
-}
-
-/// The plan is read before anything is locked: what is no study stays as it is.
-void collect_results(const study::StudyFolder& folder) {
-  const study::FolderPlan plan = folder.read_plan();
-  const study::StudyLock lock(folder);
-  study::collect(folder, plan);
 }
 
 /// \throws IoError for a folder that may only be read.
@@ -231,9 +231,8 @@ int run(const Arguments& arguments) {
         plan, folder, options, arguments.executor == "slurm", arguments.retry_failed, shown,
         {keep, [&] { analysis = write_report(folder, folder.path(), shown, keep); }});
   } catch (const Cancelled&) {
-    shown.clear();
-    fmt::print(stderr, "finished cases stay; the same command goes on where it stopped\n");
-    throw;
+    throw Interrupted("interrupted; finished cases stay",
+                      "the same command goes on where it stopped");
   }
   shown.clear();
   const study::FolderState& state = done.state;
@@ -241,20 +240,19 @@ int run(const Arguments& arguments) {
     Json given_up = Json::array();
     for (const study::GivenUp& one : done.given_up)
       given_up.push_back({{"address", one.address}, {"why", one.why}});
-    print_document(Json({{"cases", plan.cases.size()},
-                         {"ran", done.ran},
-                         {"of_other_builds", done.of_other_builds},
-                         {"done", state.done},
-                         {"scored", analysis.data.scored},
-                         {"sealed", state.sealed},
-                         {"failed", state.failed},
-                         {"open", state.open.size()},
-                         {"given_up", given_up},
-                         {"set_aside", kept},
-                         {"seconds", done.seconds},
-                         {"headlines", study::headlines(analysis)},
-                         {"content_sha256", study::content_sha256(folder.database())}})
-                       .dump(1));
+    print_json({{"cases", plan.cases.size()},
+                {"ran", done.ran},
+                {"of_other_builds", done.of_other_builds},
+                {"done", state.done},
+                {"scored", analysis.data.scored},
+                {"sealed", state.sealed},
+                {"failed", state.failed},
+                {"open", state.open_cases},
+                {"given_up", given_up},
+                {"set_aside", kept},
+                {"seconds", done.seconds},
+                {"headlines", study::headlines(analysis)},
+                {"content_sha256", study::content_sha256(folder.database())}});
   } else if (!arguments.quiet) {
     fmt::print("{} of {} cases ran in {}; {} have scores, {} are sealed, {} failed\n", done.ran,
                plan.cases.size(), study::duration_text(done.seconds), analysis.data.scored,
@@ -265,13 +263,13 @@ int run(const Arguments& arguments) {
     fmt::print("written: {}\n", terminal_line((folder.path() / "study-report.html").string()));
   }
   if (done.of_other_builds > 0)
-    fmt::print(stderr,
-               "warning: the results of {} cases are of another build of the program, of the same "
-               "version; a new folder has all of one\n",
-               done.of_other_builds);
+    to_standard_error(fmt::format(
+        "warning: the results of {} cases are of another build of the program, of the same "
+        "version; a new folder has all of one\n",
+        done.of_other_builds));
   for (const study::GivenUp& one : done.given_up)
-    fmt::print(stderr, "warning: case {} stays open: {}\n", one.address.substr(0, 12),
-               terminal_line(one.why));
+    to_standard_error(fmt::format("warning: case {} stays open: {}\n", one.address.substr(0, 12),
+                                  terminal_line(one.why)));
   // Nothing that could be judged is no success, though every case has ended.
   const int settled = analysis.data.modalities.empty() ? state.done : analysis.data.scored;
   const bool good = state.open.empty() && (settled > 0 || plan.cases.empty());
@@ -316,17 +314,16 @@ void make_status_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     const study::FolderPlan plan = folder.read_plan();
     const study::FolderState state = folder.state(plan);
     if (arguments->json)
-      return print_document(Json({{"cases", plan.cases.size()},
-                                  {"done", state.done},
-                                  {"scored", state.scored},
-                                  {"sealed", state.sealed},
-                                  {"failed", state.failed},
-                                  {"open", state.open.size()}})
-                                .dump(1));
+      return print_json({{"cases", plan.cases.size()},
+                         {"done", state.done},
+                         {"scored", state.scored},
+                         {"sealed", state.sealed},
+                         {"failed", state.failed},
+                         {"open", state.open_cases}});
     fmt::print("{}: {}, {} have scores, {} sealed, {} failed, {} to run\n",
                terminal_line(plan.name),
                study::counted(static_cast<int>(plan.cases.size()), "case", "cases"), state.scored,
-               state.sealed, state.failed, state.open.size());
+               state.sealed, state.failed, state.open_cases);
   });
 }
 
@@ -343,10 +340,10 @@ void make_report_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     const std::filesystem::path to = elsewhere ? arguments->output : arguments->folder;
     const study::StudyAnalysis analysis = [&] {
       if (elsewhere) return report_elsewhere(folder, arguments->output);
-      const study::FolderPlan plan = folder.read_plan();  // what is no study is told first
+      folder.read_plan();  // what is no study stays as it is, without a lock
       need_leave_to_write(folder);
       const study::StudyLock lock(folder);
-      study::collect(folder, plan);
+      study::collect(folder, folder.read_plan());
       Progress silent;
       return write_report(folder, to, silent, tell_aside);
     }();
@@ -372,7 +369,8 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
       study::bring_up(own.emplace(""), folder, plan);
     } else {
       need_leave_to_write(folder);
-      collect_results(folder);
+      const study::StudyLock lock(folder);
+      study::collect(folder, folder.read_plan());
     }
     std::optional<study::Database> there;
     if (!own) there.emplace(folder.database(), study::Database::Mode::read);
@@ -380,8 +378,7 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     const std::vector<std::string> files = study::export_csv(database, to);
     const std::string content = study::content_sha256(database);
     if (arguments->json)
-      return print_document(Json({{"folder", to}, {"files", files}, {"content_sha256", content}})
-                                .dump(1, ' ', false, Json::error_handler_t::replace));
+      return print_json({{"folder", to}, {"files", files}, {"content_sha256", content}});
     fmt::print("written: {} ({} tables)\ncontent: {}\n", terminal_line(to), files.size(), content);
   });
 }
@@ -396,20 +393,12 @@ void make_compare_command(CLI::App* parent, const std::shared_ptr<Arguments>& ar
   command->add_flag("--overwrite", arguments->overwrite, "replace a file that is there already");
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
-    std::string limits;
-    if (!arguments->output.empty()) {
-      limits = std::filesystem::path(arguments->output).replace_extension(".limits.csv").string();
-      for (const std::string& file : {arguments->output, limits})
-        io::check_whole_file(file, arguments->overwrite);
-    }
+    const bool kept = !arguments->output.empty();
+    if (kept) study::check_comparison_files(arguments->output, arguments->overwrite);
     const study::StudyComparison comparison =
         study::compare_studies(study::read_study_data(study::StudyFolder(arguments->folder)),
                                study::read_study_data(study::StudyFolder(arguments->other)));
-    if (!arguments->output.empty()) {
-      io::write_whole_file(arguments->output, study::comparison_csv(comparison),
-                           arguments->overwrite);
-      io::write_whole_file(limits, study::limits_csv(comparison), arguments->overwrite);
-    }
+    if (kept) study::write_comparison(comparison, arguments->output, arguments->overwrite);
     if (arguments->json) return print_document(study::comparison_json(comparison));
     fmt::print("{}", terminal_text(study::comparison_text(comparison)));
   });
@@ -452,7 +441,7 @@ void make_worker_commands(CLI::App* parent, const std::shared_ptr<Arguments>& ar
     const auto given_up = study::run_here(
         folder, plan, open, options, [](const study::CaseRecord&) {}, silent);
     for (const study::GivenUp& one : given_up)
-      fmt::print(stderr, "{}: {}\n", one.address, terminal_line(one.why));
+      to_standard_error(fmt::format("{}: {}\n", one.address, terminal_line(one.why)));
     exit_code = given_up.empty() ? kGood : kNotSettled;
   });
 }

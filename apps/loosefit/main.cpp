@@ -23,6 +23,7 @@
 #include "command_study.h"
 #include "command_validate.h"
 #include "exit_code.h"
+#include "interrupted.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
@@ -30,6 +31,7 @@
 #include "loosefit/report/error_document.h"
 #include "loosefit/report/fact_documents.h"
 #include "print_document.h"
+#include "standard_error.h"
 #include "usage_error.h"
 
 namespace loosefit {
@@ -56,7 +58,7 @@ void tell_installation() {
 int failed(int code, const std::string& message, const std::string& hint = {}) {
   std::string text = "error: " + terminal_line(message) + "\n";
   if (!hint.empty()) text += "hint: " + terminal_line(hint) + "\n";
-  std::fputs(text.c_str(), stderr);  // fmt would throw when nobody can read it
+  to_standard_error(text);
   return code;
 }
 
@@ -119,6 +121,8 @@ int run_guarded(int count, char** arguments) {
     return run_command_line(count, arguments, json);
   } catch (const Cancelled&) {
     return failed(kInterrupted, Error("interrupted; nothing was written"), {}, json);
+  } catch (const Interrupted& e) {
+    return failed(kInterrupted, e, e.hint(), json);
   } catch (const SolverFailure& e) {
     return failed(kNotSettled, e, e.hint(), json);
   } catch (const Error& e) {

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "loosefit/base/text.h"
+#include "standard_error.h"
 
 namespace loosefit {
 namespace {
@@ -45,7 +46,7 @@ void TerminalProgress::stage(const std::string& name) {
   if (terminal_)
     draw(0, "");
   else
-    fmt::print(stderr, "{:6.1f} s  {}\n", seconds(), name);
+    to_standard_error(fmt::format("{:6.1f} s  {}\n", seconds(), name));
 }
 
 void TerminalProgress::update(double fraction, const std::string& note) {
@@ -58,8 +59,8 @@ void TerminalProgress::update(double fraction, const std::string& note) {
   if (terminal_)
     draw(fraction, note);
   else
-    fmt::print(stderr, "{:6.1f} s  {} {:3.0f} %  {}\n", seconds(), stage_, 100 * fraction,
-               terminal_line(note));
+    to_standard_error(fmt::format("{:6.1f} s  {} {:3.0f} %  {}\n", seconds(), stage_,
+                                  100 * fraction, terminal_line(note)));
 }
 
 void TerminalProgress::draw(double fraction, const std::string& note) {
@@ -68,22 +69,22 @@ void TerminalProgress::draw(double fraction, const std::string& note) {
     while ((shown[end] & 0xc0) == 0x80) --end;  // not within a character of UTF-8
     shown.resize(end);
   }
-  fmt::print(stderr, "\r\033[K{:9} [{}] {:3.0f} %  {:.0f} s  {}", stage_, bar(fraction),
-             100 * fraction, seconds(), shown);
-  std::fflush(stderr);
   drawn_ = true;
+  to_standard_error(fmt::format("\r\033[K{:9} [{}] {:3.0f} %  {:.0f} s  {}", stage_, bar(fraction),
+                                100 * fraction, seconds(), shown));
+  std::fflush(stderr);
 }
 
 void TerminalProgress::line(const std::string& text) {
   clear();
-  if (!quiet_) fmt::print(stderr, "{}\n", terminal_line(text));
+  if (!quiet_) to_standard_error(fmt::format("{}\n", terminal_line(text)));
 }
 
 void TerminalProgress::clear() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\033[K");
-  std::fflush(stderr);
   drawn_ = false;
+  to_standard_error("\r\033[K");
+  std::fflush(stderr);
 }
 
 InterruptGuard::InterruptGuard(Progress& progress) {

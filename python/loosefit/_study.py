@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import difflib
+import hashlib
 import json
 import os
 import pathlib
@@ -92,15 +93,29 @@ class Study:
 
     @property
     def report(self) -> dict[str, Any]:
-        """The statistics, as the page shows them (study-report.json). Raises IoError without them."""
+        """The statistics, as the page shows them (study-report.json).
+
+        Raises IoError without them, and where they are of another plan than the database: a run of the changed study
+        was interrupted.
+        """
         try:
-            return json.loads((self.folder / "study-report.json").read_text(encoding="utf-8"))
+            report = json.loads((self.folder / "study-report.json").read_text(encoding="utf-8"))
         except OSError as error:
             raise IoError(f"{self.folder}: {error.strerror}: study-report.json; "
                           "loosefit study report DIR makes it") from None
         except ValueError as error:
             raise IoError(f"{self.folder / 'study-report.json'}: {error}; "
                           "loosefit study report DIR makes it anew") from None
+        planned = self._plan_sha256()
+        if report.get("plan_sha256", planned) != planned:
+            raise IoError(f"{self.folder / 'study-report.json'}: found the report of another plan of the study than "
+                          "the database; loosefit study report DIR makes it anew")
+        return report
+
+    def _plan_sha256(self) -> str:
+        """As the program reckons it: of the study file and the addresses of all cases."""
+        lines = [self.facts["file_sha256"], *self.query("SELECT address FROM cases ORDER BY number")["address"]]
+        return hashlib.sha256("".join(f"{line}\n" for line in lines).encode()).hexdigest()
 
     @property
     def headlines(self) -> list[str]:

@@ -129,6 +129,7 @@ py::list states(Self self) {
   py::list rows;
   for (const pipeline::CaseState& state : self.result->wear.states) {
     py::dict row = dict_of(state.certificate());
+    if (!state.draped()) row["worn"] = py::none();
     row["posture"] = state.name;
     row["donning"] = state.id.donning + 1;
     row["counts"] = state.counts();

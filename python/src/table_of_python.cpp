@@ -15,6 +15,16 @@ bool is_a(py::handle value, const char* module, const char* name) {
   return py::isinstance(value, py::module_::import(module).attr(name));
 }
 
+/// A scenario is UTF-8, and so are the paths in it. \pre `value` is a str
+std::string utf8_of(py::handle value, const std::string& key) {
+  Py_ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (text) return {text, static_cast<std::size_t>(size)};
+  PyErr_Clear();
+  const auto ascii = py::reinterpret_steal<py::str>(PyObject_ASCII(value.ptr()));
+  throw InvalidInput({"", 0, key}, printable(std::string(ascii), 100), "text that is UTF-8");
+}
+
 io::ConfigNode node_of(py::handle value, const std::string& key, int depth);
 
 io::ConfigNode table_of(py::handle mapping, const std::string& key, int depth) {
@@ -25,7 +35,7 @@ io::ConfigNode table_of(py::handle mapping, const std::string& key, int depth) {
     if (!PyUnicode_Check(pair[0].ptr()))
       throw InvalidInput({"", 0, key}, "the key " + printable(std::string(py::repr(pair[0])), 100),
                          "keys that are str");
-    const auto name = pair[0].cast<std::string>();
+    const std::string name = utf8_of(pair[0], key);
     const std::string full = (key.empty() ? "" : key + ".") + printable(name, 100);
     node.members.emplace_back(name, node_of(pair[1], full, depth + 1));
   }
@@ -78,13 +88,13 @@ io::ConfigNode node_of(py::handle value, const std::string& key, int depth) {
     node.number = PyFloat_AsDouble(object);
     return node;
   }
-  if (PyUnicode_Check(object)) return text_of(value.cast<std::string>());
+  if (PyUnicode_Check(object)) return text_of(utf8_of(value, key));
   if (is_a(value, "collections.abc", "Mapping")) return table_of(value, key, depth);
   if (PyList_Check(object) || PyTuple_Check(object)) return array_of(value, key, depth);
   // NumPy's arrays and scalars turn into what they hold.
   if (py::hasattr(value, "tolist")) return node_of(value.attr("tolist")(), key, depth + 1);
   if (is_a(value, "os", "PathLike"))
-    return text_of(py::module_::import("os").attr("fsdecode")(value).cast<std::string>());
+    return text_of(utf8_of(py::module_::import("os").attr("fsdecode")(value), key));
   node.kind = Kind::other;
   node.text = printable(py::type::of(value).attr("__name__").cast<std::string>(), 60);
   return node;

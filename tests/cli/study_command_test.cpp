@@ -76,6 +76,19 @@ TEST_F(StudyCommand, WhatIsNoStudyStaysAsItIs) {
   EXPECT_EQ(files_in("mine"), 1);
 }
 
+// A terminal that is gone, or a full disk, takes no warning.
+TEST_F(StudyCommand, WhatNobodyCanReadEndsNoWork) {
+  const std::string study =
+      file("warns.toml",
+           "[study]\nmodalities = [\"pressure\"]\n[scenario.donning]\nrepeats = 1\n[[axis]]\n"
+           "name = \"idle\"\nkey = \"donning.shift\"\nvalues = [0.01, 0.02]\n");
+  const std::string command = std::string(LOOSEFIT_BINARY) + " study plan " + study;
+  ASSERT_NE(run_program(command).output.find("warning: axis idle"), std::string::npos);
+  const ProgramRun run = run_program(command + " 2>/dev/full");
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_NE(run.output.find("cases    2"), std::string::npos) << run.output;
+}
+
 TEST_F(StudyCommand, AComparisonReplacesNoFile) {
   const std::string folder = planned("a"), mine = file("mine.csv", "1,2,3");
   const Json refused = document("study compare " + folder + " " + folder + " --json -o " + mine, 2);

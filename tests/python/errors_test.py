@@ -54,6 +54,20 @@ class BadScenario(unittest.TestCase):
     def test_file_that_is_not_there(self):
         self.assertIsInstance(self.refused("no-such.toml", loosefit.IoError), OSError)
 
+    def test_paths_that_are_not_utf8(self):
+        name = os.fsdecode(b"top\xff.dxf")
+        for pattern in (name, pathlib.Path(name)):
+            error = self.refused({"garment": {"pattern": pattern}})
+            self.assertEqual(error.key, "garment.pattern")
+            self.assertIn("UTF-8", error.expected)
+        self.assertIn("UTF-8", self.refused({name: 1}).expected)
+        missing = self.refused(pathlib.Path(os.fsdecode(b"/nowhere/\xff.toml")), loosefit.IoError)
+        self.assertIn("\ufffd.toml", str(missing))
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / os.fsdecode(b"\xff.toml")
+            path.write_text("[body]\nheight = 168\n")
+            self.assertEqual(pathlib.Path(self.refused(path).file), path)
+
     def test_values_without_a_place_in_toml(self):
         for value, found in ((None, "None"), ({1, 2}, "a set"), (1j, "a complex"),
                              (2**70, "an integer beyond 64 bits"), (float("nan"), "nan")):

@@ -120,6 +120,11 @@ class AStudy(unittest.TestCase):
             self.assertEqual(set(scores["site"]), {"scapula_L"})
             self.assertEqual(set(scores["axis site"]), {"0.05", "0.2"})
             report = base / "out" / "study-report.json"
+            self.assertTrue(study.headlines)
+            # As it stays beside a new database when a run of the changed study is interrupted.
+            report.write_text(report.read_text().replace('"plan_sha256": "', '"plan_sha256": "another'))
+            with self.assertRaisesRegex(loosefit.IoError, "another plan"):
+                study.headlines
             report.write_text("half of a rep")
             with self.assertRaises(loosefit.IoError):
                 study.headlines

@@ -404,6 +404,19 @@ TEST_F(Comparison, OfStudiesWithoutLoosenessHasNoLimits) {
   EXPECT_EQ(nlohmann::json::parse(comparison_json(c))["limits"], nlohmann::json::array());
 }
 
+TEST_F(Comparison, TellsOfAnotherScorecardOrProgram) {
+  const ScoreOf same = [](const std::string&, int) { return 0.5; };
+  const StudyData a = study("a", kPeople, same);
+  StudyData b = study("b", kPeople, same);
+  const char *const card = "imu-uncalibrated: its scorecard is not the same",
+                    *const program = "differences may be those of the programs";
+  EXPECT_FALSE(says(compare_studies(a, b), card) || says(compare_studies(a, b), program));
+  b.plan.cards.at(0) += "# stricter\n";
+  EXPECT_TRUE(says(compare_studies(a, b), card));
+  b.plan.version = "0.0.1";
+  EXPECT_TRUE(says(compare_studies(a, b), program));
+}
+
 // An axis of one study alone is no reason not to compare, but is told.
 TEST_F(Comparison, TellsOfAxesThatOneStudyHasAlone) {
   const ScoreOf by_cloth = [](const std::string& label, int) {

@@ -264,8 +264,10 @@ def interrupted(study, content):
     time.sleep(1)
     workers = workers_of(runner.pid)
     runner.send_signal(signal.SIGINT)
-    _, errors = runner.communicate()
+    said, errors = runner.communicate()
     check(runner.returncode == 130, f"exit code {runner.returncode} after Ctrl-C: {errors}")
+    for text in (errors, json.loads(said)["error"]["message"]):
+        check("finished cases stay" in text, f"after Ctrl-C it said {text}")
     alive = [w for w in workers if os.path.exists(f"/proc/{w}")]
     check(not alive, f"workers live on: {alive}")
     study.look()

@@ -96,6 +96,17 @@ TEST(Plan, AddressesTellWhatMatters) {
   EXPECT_NE(plan_of("[study]\nmodalities = [\"ecg\"]\n").cases.at(0).address, usual);
 }
 
+// Who runs a case compares what it reads with the address, to the last bit of drawn angles.
+TEST(Plan, AddressesAreThoseOfTheScenariosThatAreWritten) {
+  const Plan plan = plan_of(kHead + kPeople +
+                            "[[axis]]\nname = \"bend\"\nkey = \"body.posture.forward_bend_deg\"\n"
+                            "range = [1, 40]\ncount = 50\n");
+  for (const PlannedCase& one : plan.cases)
+    EXPECT_EQ(case_address(io::parse_scenario(one.toml, "scenario.toml"), {"imu-inclination"}),
+              one.address)
+        << one.toml;
+}
+
 TEST(Plan, AnotherLevelChangesOnlyItsOwnCases) {
   const Plan before = plan_of(kHead + kPeople + kFits);
   std::string more = kFits;
@@ -361,6 +372,21 @@ TEST(StudyFile, ModalityOfTheBaseMayBeAFileBesideIt) {
   const StudyFile study = parse_study_file("[scenario.ranking]\nmodality = \"cards/mine.toml\"\n",
                                            "/somewhere/study.toml");
   EXPECT_EQ(study.modalities, std::vector<std::string>{"/somewhere/cards/mine.toml"});
+}
+
+// The plan, which names it, is JSON.
+TEST(StudyFile, ScorecardsAreNamedInUtf8WhoeverNamesThem) {
+  for (const auto& [text, key] :
+       {std::pair("[study]\nmodalities = [\"mine.toml\"]\n", "study.modalities"),
+        std::pair("[scenario.ranking]\nmodality = \"mine.toml\"\n", "ranking.modality")})
+    try {
+      parse_study_file(text, "/some\xff/study.toml");
+      FAIL() << key;
+    } catch (const InvalidInput& error) {
+      EXPECT_EQ(error.place().key, key);
+      EXPECT_EQ(error.place().line, 2);
+      EXPECT_NE(error.found().find("not UTF-8"), std::string::npos) << error.what();
+    }
 }
 
 TEST(StudyFile, IsRefusedWithPlace) {

@@ -28,6 +28,10 @@ TEST(RobustScore, CountsAsFarFromAboveAsFromBelow) {
   EXPECT_EQ(robust_index_from_above(20), 19u) << "of 20 people the worst";
   EXPECT_EQ(robust_index_from_above(21), 19u);
   EXPECT_EQ(robust_index_from_above(100), 95u);
+  // So does the 95th percentile of a ranking.
+  const std::vector<double> twenty = ladder(20, 1, 20);
+  EXPECT_EQ(rank_population({{"a", twenty}}, 0.5, {.resamples = 0}).at(0).p95, 20);
+  EXPECT_TRUE(std::isnan(robust_from_above({})));
 }
 
 TEST(Bootstrap, CoversTheMeanOfANormalSample) {

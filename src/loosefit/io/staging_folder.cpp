@@ -92,6 +92,16 @@ std::vector<fs::path> hidden_folders(const fs::path& place, const fs::path& targ
   return found;
 }
 
+/// Whether a process was killed while it began: nothing in the folder, or the file of its process,
+/// of which nothing is written. Not where others alone may look.
+bool is_unbegun(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().filename() != kWriting || !fs::is_empty(entry->path(), error)) return false;
+  return !error;
+}
+
 /// The first name in `place` that is free; empty when no folder can be made there.
 fs::path make_in(const fs::path& place, const fs::path& target, std::error_code& error) {
   const std::string name = prefix_of(target) + std::to_string(getpid());
@@ -191,14 +201,9 @@ void clear_left_overs(const fs::path& target) {
     for (const fs::path& folder : hidden_folders(place, target)) {
       std::error_code ignored;
       const long number = *number_in(folder.filename().string(), target);
-      // Killed while it began: nothing in it, or a file of which nothing is written.
-      if (!owner_of(folder) && is_gone(number, {}) &&
-          (!fs::exists(folder / kWriting) || fs::is_empty(folder / kWriting, ignored))) {
-        if (std::distance(fs::directory_iterator(folder, ignored), {}) ==
-            (fs::exists(folder / kWriting) ? 1 : 0)) {
-          fs::remove(folder / kWriting, ignored);
-          rmdir(folder.c_str());
-        }
+      if (!owner_of(folder) && is_gone(number, {}) && is_unbegun(folder)) {
+        fs::remove(folder / kWriting, ignored);
+        rmdir(folder.c_str());
         continue;
       }
       if (!holds_taken_files(folder) && is_abandoned(folder)) remove_staging(folder);

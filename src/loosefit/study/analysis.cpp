@@ -7,9 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
-#include "loosefit/io/scorecard_file.h"
 #include "loosefit/placement/metric_names.h"
 #include "loosefit/study/cautions.h"
 #include "loosefit/study/unit_words.h"
@@ -174,8 +172,7 @@ ComfortLimit comfort_of(const StudyData& data) {
       continue;
     }
     known.push_back(data.level_bgm[level]);
-    std::ranges::sort(shares);
-    worst.push_back(shares[robust_index_from_above(shares.size())]);
+    worst.push_back(robust_from_above(std::move(shares)));
     comfort.worst_share.push_back(worst.back());
   }
   comfort.limit = known.empty() ? kNotKnown : least_within(known, worst, kUncomfortableArea);
@@ -251,6 +248,19 @@ std::string of_ranking(const StudyData& data, const ModalityAnalysis& modality) 
                             rated_of_all(most->rated, most->people, kind));
 }
 
+/// " (rated there: 3 of 12)": at the fit that sets the limit, or of the two between which it lies
+/// at that with fewer. Empty where all are.
+std::string rated_at_limit(const StudyData& data, const HowLoose& answer) {
+  const auto looser =
+      std::ranges::find_if(answer.curve, [&](const LoosePoint& p) { return p.bgm > answer.limit; });
+  if (looser == answer.curve.begin()) return "";
+  auto sets = std::prev(looser);
+  if (looser != answer.curve.end() && sets->bgm < answer.limit && looser->rated < sets->rated)
+    sets = looser;
+  const int asked = asked_units(data, static_cast<int>(sets - answer.curve.begin()));
+  return sets->rated < asked ? fmt::format(" (rated there: {} of {})", sets->rated, asked) : "";
+}
+
 std::string of_looseness(const StudyAnalysis& analysis, const ModalityAnalysis& modality) {
   const StudyData& data = analysis.data;
   const UnitKind kind = unit_kind(data);
@@ -262,6 +272,7 @@ std::string of_looseness(const StudyAnalysis& analysis, const ModalityAnalysis& 
       });
   if (answer.limit > -std::numeric_limits<double>::infinity())
     return "loosest at " + site + ", " + in_words(answer, analysis.options) +
+           rated_at_limit(data, answer) +
            (answer.people < all ? "; said of " + rated_of_all(answer.people, all, kind) : "");
   const Nearest nearest = nearest_of(modality);
   if (!nearest.point || nearest.point->passing == 0)
@@ -296,8 +307,8 @@ StudyAnalysis analyse(StudyData data) {
   analysis.data = std::move(data);
   const StudyData& read = analysis.data;
   for (std::size_t m = 0; m < read.modalities.size(); ++m)
-    analysis.modalities.push_back(analyse_modality(
-        read, read.modalities[m], io::load_scorecard(read.plan.modalities[m]), analysis.options));
+    analysis.modalities.push_back(
+        analyse_modality(read, read.modalities[m], scorecard(read.plan, m), analysis.options));
   if (looseness_axis(read.plan) >= 0) analysis.comfort = comfort_of(read);
   return analysis;
 }

@@ -61,7 +61,7 @@ struct StudyAnalysis {
 /// is rated at any level of it.
 std::vector<LooseLevel> loose_levels(const StudyData& data, const SiteTable& site);
 
-/// All statistics of a study (docs/studies.md 5). \throws as load_scorecard.
+/// All statistics of a study (docs/studies.md 5). \throws as scorecard.
 StudyAnalysis analyse(StudyData data);
 
 /// "comfortable from a BGM of 0.05 on"

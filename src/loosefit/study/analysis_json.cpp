@@ -122,6 +122,7 @@ std::string analysis_json(const StudyAnalysis& analysis) {
   Json json = {
       {"study", data.plan.name},
       {"version", version()},
+      {"plan_sha256", plan_sha256(data.plan)},
       {"cases", data.plan.cases.size()},
       {"done", data.done},
       {"scored", data.scored},

@@ -11,7 +11,6 @@
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/csv.h"
-#include "loosefit/io/scorecard_file.h"
 #include "loosefit/study/counterparts.h"
 
 namespace loosefit::study {
@@ -132,6 +131,22 @@ void note_limits(const StudyData& a, const StudyData& b, StudyComparison& compar
                     kWorstIsRobust));
 }
 
+/// What scores of both studies were made by, where it is not the same.
+void note_origins(const StudyData& a, const StudyData& b, StudyComparison& comparison) {
+  if (a.plan.version != b.plan.version)
+    comparison.notes.push_back(a.plan.name + " is of Loosefit " + a.plan.version + ", " +
+                               b.plan.name + " of " + b.plan.version +
+                               ": differences may be those of the programs");
+  if (a.plan.cards.empty() || b.plan.cards.empty()) return;  // plans of earlier programs
+  for (std::size_t m = 0; m < a.modalities.size(); ++m) {
+    const int other = find(b.modalities, [&](const auto& name) { return name == a.modalities[m]; });
+    if (other >= 0 && a.plan.cards[m] != b.plan.cards[other])
+      comparison.notes.push_back(a.modalities[m] +
+                                 ": its scorecard is not the same in both studies, so scores "
+                                 "differ for that alone; what passes is what that of A says");
+  }
+}
+
 }  // namespace
 
 StudyComparison compare_studies(const StudyData& a, const StudyData& b,
@@ -172,7 +187,7 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
     };
     for (const SiteTable& site : in_b->second)
       if (find(in_a->second, same_site(site)) < 0) in_one_alone(modality + ", " + site.site, b);
-    const double pass = io::load_scorecard(a.plan.modalities[m]).pass;
+    const double pass = scorecard(a.plan, m).pass;
     for (const SiteTable& site : in_a->second) {
       const int other = find(in_b->second, same_site(site));
       if (other < 0) {
@@ -195,6 +210,7 @@ StudyComparison compare_studies(const StudyData& a, const StudyData& b,
                            " have no site and fit in common where both are rated",
                        join(comparison.notes, "; "));
   note_limits(a, b, comparison);
+  note_origins(a, b, comparison);
   return comparison;
 }
 

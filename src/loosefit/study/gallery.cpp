@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "loosefit/render/screen.h"
+#include "loosefit/base/error.h"
 #include "loosefit/report/case_figure.h"
 
 namespace loosefit::study {
@@ -34,8 +34,11 @@ Gallery make_gallery(const StudyFolder& folder, const FolderPlan& plan, Progress
   try {
     gallery.png =
         render::figure_file(report::case_figure(wish, progress), render::FigureFormat::png);
-  } catch (const render::NoScreen& none) {
-    gallery.why = std::string(none.what()) + "; " + none.hint();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    // The statistics do not need a picture.
+    gallery.why = error.what() + (error.hint().empty() ? "" : "; " + error.hint());
   }
   return gallery;
 }

@@ -16,8 +16,7 @@ struct Gallery {
 /// The drapes of all cases that have scores and whose whole output was kept (--keep-output), from
 /// the front, to one scale, with the distance from the body in one range; in the order of the
 /// cases, as many beside each other as the last axis has levels. A case without a picture leaves no
-/// gap; captions tell which is which. At most kMostPictures. \throws as report::case_figure, but
-/// for a missing screen; Cancelled.
+/// gap; captions tell which is which. At most kMostPictures. \throws Cancelled.
 Gallery make_gallery(const StudyFolder& folder, const FolderPlan& plan, Progress& progress);
 
 inline constexpr int kMostPictures = 120;

@@ -1,6 +1,7 @@
 #include "loosefit/study/plan.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@
 #include "loosefit/study/draws.h"
 
 namespace loosefit::study {
+namespace fs = std::filesystem;
 namespace {
 
 using Kind = io::ConfigNode::Kind;
@@ -37,18 +39,37 @@ constexpr double kNoTimeBudget = 1e6;
 /// Names of files are digested up to this size [bytes].
 constexpr std::size_t kLargestInput = 500000000;
 
-/// Each file is read once: a plan names the same ones again and again.
+/// Differs once a name stands for another file, or its content has been written anew; empty where
+/// that cannot be told.
+std::string state_of(const std::string& path) {
+  struct stat found;
+  if (stat(path.c_str(), &found) != 0) return {};
+  return fmt::format("{} {} {} {}.{}", found.st_dev, found.st_ino, found.st_size,
+                     found.st_ctim.tv_sec, found.st_ctim.tv_nsec);
+}
+
+/// A file is read again only when it has changed: a plan names the same ones again and again.
 std::string digest_of(const std::string& path) {
-  static std::map<std::string, std::string> known;
-  std::string& digest = known[path];
-  if (digest.empty()) digest = "sha256:" + sha256_hex(io::read_text_file(path, kLargestInput));
-  return digest;
+  struct Known {
+    std::string state, digest;
+  };
+  static std::map<std::string, Known> all;
+  Known& known = all[path];
+  if (const std::string state = state_of(path); state.empty() || state != known.state)
+    known = {state, "sha256:" + sha256_hex(io::read_text_file(path, kLargestInput))};
+  return known.digest;
+}
+
+/// Where the file of a scorecard is.
+std::string card_file(const std::string& modality) {
+  if (fs::path(modality).extension() == ".toml") return modality;
+  return (data_directory() / "scorecards" / (modality + ".toml")).string();
 }
 
 /// Nothing where there are no body data: who runs the case will say so.
 std::string body_digest() {
   const std::string path = default_body_data_path();
-  return std::filesystem::exists(path) ? digest_of(path) : "none";
+  return fs::exists(path) ? digest_of(path) : "none";
 }
 
 double chest_of(const io::ConfigNode& root) {
@@ -255,8 +276,7 @@ std::string case_address(const scenario::Scenario& scenario,
   if (!content.body.file.empty()) content.body.file = digest_of(content.body.file);
   for (scenario::ScenarioGarment& garment : content.garments) {
     if (garment.spec.file.empty()) continue;
-    const std::filesystem::path seams =
-        io::side_file(garment.spec.file, std::filesystem::path(garment.spec.seams));
+    const fs::path seams = io::side_file(garment.spec.file, fs::path(garment.spec.seams));
     garment.spec.seams = seams.empty() ? "" : digest_of(seams.string());
     garment.spec.file = digest_of(garment.spec.file);
   }
@@ -264,11 +284,7 @@ std::string case_address(const scenario::Scenario& scenario,
       "loosefit case 4\n" + version() + "\n" + body_digest() + "\n" + io::scenario_toml(content);
   for (const std::string& modality : modalities) {
     const placement::Scorecard card = io::load_scorecard(modality);
-    const bool file = modality.find('/') != std::string::npos;
-    text += "\nscorecard " + card.name;
-    text += " " +
-            (file ? digest_of(modality)
-                  : digest_of((data_directory() / "scorecards" / (card.name + ".toml")).string()));
+    text += "\nscorecard " + card.name + " " + digest_of(card_file(modality));
   }
   return sha256_hex(text);
 }
@@ -394,7 +410,8 @@ Plan make_plan(const StudyFile& study) {
       const scenario::Scenario scenario = scenario_of(root, plan.study);
       one.looseness = looseness_of(plan.study, one.levels, root);
       one.toml = io::scenario_toml(scenario);
-      one.address = case_address(scenario, study.modalities);
+      // As who runs it reads it: what is written may differ in the last bit of an angle.
+      one.address = case_address(io::parse_scenario(one.toml, study.base_file), study.modalities);
       one.drapes = drapes_of(scenario);
       one.edge_length = scenario.simulation.edge_length;
       one.wearer = wearer_digest(scenario);
@@ -412,6 +429,8 @@ Plan make_plan(const StudyFile& study) {
   if (presets)
     for (const std::string& preset : placement::preset_names()) sites.insert(preset);
   check_not_at(study, sites);
+  for (const std::string& modality : study.modalities)
+    plan.cards.push_back(io::read_text_file(card_file(modality), kLargestInput));
   return plan;
 }
 

@@ -28,6 +28,7 @@ struct PlannedCase {
 struct Plan {
   StudyFile study;  ///< its axes with the levels that were drawn
   std::vector<PlannedCase> cases;
+  std::vector<std::string> cards;  ///< texts of the scorecards, one for each modality
   int drapes() const;
   std::string label(const PlannedCase& one) const;  ///< "person 3, fit 0.16"
 };
@@ -45,8 +46,8 @@ Plan make_plan(const StudyFile& study);
 scenario::Scenario compose(const StudyFile& study, const std::vector<int>& levels);
 
 /// SHA-256 over all that results depend on: version of the program, resolved scenario with the
-/// content of the files that it names in place of their paths, and the scorecards. Number of
-/// threads, pictures and the place of files do not matter.
+/// content of the files that it names in place of their paths, and the scorecards, as they are now.
+/// Number of threads, pictures and the place of files do not matter.
 std::string case_address(const scenario::Scenario& scenario,
                          const std::vector<std::string>& modalities);
 

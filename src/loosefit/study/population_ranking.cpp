@@ -52,6 +52,12 @@ std::size_t robust_index_from_above(std::size_t n) {
   return n - 1 - quantile_index(n, kRobustPeople);
 }
 
+double robust_from_above(std::vector<double> values) {
+  if (values.empty()) return kNaN;
+  std::ranges::sort(values);
+  return values[robust_index_from_above(values.size())];
+}
+
 double robust_score(const std::vector<double>& scores) { return key_of(rated(scores)).robust; }
 
 double robust_score(const std::vector<double>& scores, const std::vector<int>& draw) {
@@ -119,7 +125,7 @@ std::vector<SitePopulation> rank_population(const std::vector<SiteScores>& sites
     site.people = static_cast<int>(people);
     site.median = keys[i].median;
     site.p5 = keys[i].robust;
-    site.p95 = values.empty() ? kNaN : quantile(values, 1 - kRobustPeople);
+    site.p95 = robust_from_above(values);
     site.passing = values.empty()
                        ? kNaN
                        : static_cast<double>(std::count_if(values.begin(), values.end(),

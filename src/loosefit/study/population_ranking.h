@@ -31,6 +31,8 @@ double robust_score(const std::vector<double>& scores, const std::vector<int>& d
 /// Of n > 0 ascending values of people the one that the robust score is of descending ones: the
 /// ⌈0.05 n⌉-th greatest, so that of 20 people it is the worst.
 std::size_t robust_index_from_above(std::size_t n);
+/// That one of values in any order; what is shown as their 95th percentile. NaN without values.
+double robust_from_above(std::vector<double> values);
 
 struct SitePopulation {
   std::string site;

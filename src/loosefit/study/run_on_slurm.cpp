@@ -10,6 +10,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/plain_files.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/worker_process.h"
 
@@ -87,7 +88,7 @@ class SlurmArrays {
       lines += "\n";
     }
     int round = 1;
-    while (fs::exists(place() / fmt::format("bundles-{}.txt", round))) ++round;
+    while (io::is_there(place() / fmt::format("bundles-{}.txt", round))) ++round;
     const fs::path bundles = fs::absolute(place() / fmt::format("bundles-{}.txt", round));
     write_whole(bundles, lines);
     std::string script = "#!/bin/sh\n";

@@ -143,9 +143,11 @@ class Collector {
     }
     ++data_.ran;
     data_.warnings[c] = record->warnings;
-    data_.core_seconds += record->execution.seconds;
     data_.grade_b += record->grade == "B";
-    study::add(record->control, data_.controls);
+    if (counted_.insert(one.address).second) {  // it ran once, whatever its numbers
+      data_.core_seconds += record->execution.seconds;
+      study::add(record->control, data_.controls);
+    }
     data_.drapes_counted += record->drapes_counted;
     if (record->status != CaseStatus::done) {
       data_.troubles.push_back(
@@ -212,6 +214,7 @@ class Collector {
 
   const StudyFolder& folder_;
   StudyData data_;
+  std::set<std::string> counted_;  ///< addresses
 };
 
 }  // namespace

@@ -46,9 +46,9 @@ struct StudyData {
   int ran = 0;                                     ///< cases that have ended, well or not
   int done = 0;                                    ///< cases at rest and worn
   int scored = 0;           ///< cases of which a sample is rated, by any modality
-  double core_seconds = 0;  ///< that they have taken
+  double core_seconds = 0;  ///< that they have taken, those that are the same scenario once
   int grade_b = 0;          ///< cases with a drape of certificate grade B
-  ControlSummary controls;
+  ControlSummary controls;  ///< likewise once
   int drapes = 0, drapes_counted = 0;
 };
 

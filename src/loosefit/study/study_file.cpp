@@ -42,6 +42,13 @@ std::vector<std::string> texts(io::ConfigReader& table, const std::string& key) 
   return words;
 }
 
+/// The plan names scorecards, and is UTF-8.
+void check_utf8(const std::string& card, const std::string& word, const InputPlace& place) {
+  if (!valid_utf8(card))
+    throw InvalidInput(place, "\"" + printable(word) + "\" in a folder that is not UTF-8",
+                       "scorecards by paths in UTF-8");
+}
+
 void read_head(io::ConfigReader table, StudyFile& study) {
   table.only({"name", "base", "seed", "design", "samples", "modalities", "looseness", "sensors",
               "spacing", "not_at"});
@@ -60,9 +67,7 @@ void read_head(io::ConfigReader table, StudyFile& study) {
   for (const std::string& word : texts(table, "modalities")) {
     const bool file = fs::path(word).extension() == ".toml";
     const std::string which = file ? beside(study.file, word).string() : word;
-    if (!valid_utf8(which))
-      throw table.error("modalities", "\"" + printable(word) + "\" in a folder that is not UTF-8",
-                        "scorecards by paths in UTF-8", {});
+    check_utf8(which, word, {study.file, table.node("modalities")->line, "study.modalities"});
     try {
       io::load_scorecard(which);
     } catch (const InvalidInput& error) {
@@ -241,6 +246,8 @@ StudyFile parse_study_file(const std::string& text, const std::string& path) {
       const bool file = fs::path(asked->text).extension() == ".toml";
       study.modalities.push_back(file ? beside(study.base_file, asked->text).string()
                                       : asked->text);
+      check_utf8(study.modalities.back(), asked->text,
+                 {study.base_file, asked->line, "ranking.modality"});
     }
   return study;
 }

@@ -89,6 +89,7 @@ Json plan_json(const Plan& plan) {
                {"seed", study.seed},
                {"design", name(study.design)},
                {"scorecards", study.modalities},
+               {"scorecard_texts", plan.cards},
                {"looseness", study.looseness},
                {"sensors", study.sensors},
                {"spacing", study.spacing},
@@ -130,6 +131,9 @@ void check_plan(const FolderPlan& plan, const std::string& file) {
         refuse("cases.levels", std::to_string(one.levels[k]) + of_case,
                "a level of the axis " + printable(plan.axes[k].name));
   }
+  if (!plan.cards.empty() && plan.cards.size() != plan.modalities.size())
+    refuse("scorecard_texts", std::to_string(plan.cards.size()),
+           "one for each of " + std::to_string(plan.modalities.size()) + " scorecards");
   if (const int loose = looseness_axis(plan); loose >= 0)
     for (const AxisLevel& level : plan.axes[loose].levels)
       if (!level.value)
@@ -252,6 +256,8 @@ void StudyFolder::write_plan(const Plan& plan, const SetAside& tell) const {
   const std::optional<FolderPlan> before = plan_before();
   check_same_study(plan, before);
   const fs::path plan_file = path_ / "plan.json", study_file = path_ / "study.toml";
+  const std::string plan_text =
+      plan_json(plan).dump(1) + "\n";  // may throw: nothing is written yet
   if (!before && io::is_there(plan_file)) tell(set_aside(plan_file, "damaged"));
   if (before && io::is_there(study_file))
     if (const auto there = io::plain_digest(path_, "study.toml");
@@ -261,7 +267,7 @@ void StudyFolder::write_plan(const Plan& plan, const SetAside& tell) const {
   // off.
   make_folders(path_);
   if (before) write_planned(study_file, plan.study.text);  // else the old one looks changed
-  write_planned(plan_file, plan_json(plan).dump(1) + "\n");
+  write_planned(plan_file, plan_text);
   if (!before) write_planned(study_file, plan.study.text);
   std::set<std::string> written;
   for (const PlannedCase& one : plan.cases) {
@@ -295,6 +301,7 @@ FolderPlan StudyFolder::read_plan() const {
     plan.seed = json.at("seed");
     plan.design = json.at("design");
     plan.modalities = json.at("scorecards").get<std::vector<std::string>>();
+    plan.cards = json.value("scorecard_texts", std::vector<std::string>());
     plan.looseness = json.at("looseness");
     plan.sensors = json.at("sensors");
     plan.spacing = json.at("spacing");
@@ -347,6 +354,7 @@ FolderState StudyFolder::state(const FolderPlan& plan) const {
       else
         state.open.push_back(one.address);
     }
+    state.open_cases += !seen.status;
     if (!seen.status) continue;
     state.done += *seen.status == CaseStatus::done;
     state.scored += seen.scored;
@@ -413,40 +421,6 @@ StudyLock::StudyLock(const StudyFolder& folder) {
 
 StudyLock::~StudyLock() {
   if (descriptor_ >= 0) close(descriptor_);
-}
-
-std::vector<std::string> scorecard_names(const FolderPlan& plan) {
-  std::vector<std::string> names;
-  for (const std::string& modality : plan.modalities)
-    names.push_back(modality.find('/') == std::string::npos ? modality
-                                                            : fs::path(modality).stem().string());
-  return names;
-}
-
-int people_axis(const FolderPlan& plan) {
-  for (std::size_t k = 0; k < plan.axes.size(); ++k)
-    if (plan.axes[k].is_people()) return static_cast<int>(k);
-  return -1;
-}
-
-bool varies_by_chance(const FolderPlan& plan) {
-  return std::ranges::any_of(plan.axes,
-                             [](const Axis& axis) { return axis.is_people() || axis.is_drawn(); });
-}
-
-int looseness_axis(const FolderPlan& plan) {
-  for (std::size_t k = 0; k < plan.axes.size(); ++k)
-    if (!plan.looseness.empty() && plan.axes[k].name == plan.looseness) return static_cast<int>(k);
-  return -1;
-}
-
-std::string label(const FolderPlan& plan, const FolderCase& one) {
-  std::vector<std::string> words;
-  for (std::size_t k = 0; k < plan.axes.size(); ++k) {
-    const std::string& level = plan.axes[k].levels[one.levels[k]].label;
-    words.push_back(plan.axes[k].is_people() ? level : plan.axes[k].name + " " + level);
-  }
-  return words.empty() ? "the base scenario" : join(words);
 }
 
 }  // namespace loosefit::study

@@ -1,20 +1,20 @@
 #pragma once
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "loosefit/io/plain_files.h"
 #include "loosefit/study/case_record.h"
+#include "loosefit/study/folder_plan.h"
 #include "loosefit/study/plan.h"
 #include "loosefit/study/set_aside.h"
 
 // The folder of a study:
 //
 //   study.toml                the study file as it was
-//   plan.json                 axes with their levels, the cases in their order, and which of them
-//                             are controls
+//   plan.json                 axes with their levels, the cases in their order, which of them are
+//                             controls, and the scorecards as they were
 //   cases/ab/<address>/       scenario.toml, and result.json once the case has run
 //   study.sqlite              everything in tables (store.h), made from the above
 //   study-report.html, …      what is made from that
@@ -22,37 +22,11 @@
 //   .lock                     held by the runner
 namespace loosefit::study {
 
-/// One case as plan.json keeps it.
-struct FolderCase {
-  int number = 0;
-  std::vector<int> levels;  ///< per axis
-  std::string address;
-  int drapes = 1;
-  double edge_length = 0;
-  std::optional<double> looseness;  ///< as PlannedCase; absent in plans of earlier programs
-  std::string wearer, wearing;      ///< as PlannedCase; empty in plans of earlier programs
-};
-
-/// plan.json: what a study is made of, without its study file.
-struct FolderPlan {
-  std::string name, version, file_sha256;
-  std::uint64_t seed = 1;
-  std::string design;
-  std::vector<std::string> modalities;
-  std::string looseness;
-  int sensors = 3;
-  double spacing = 0.05;
-  std::vector<std::string> not_at;
-  std::vector<Axis> axes;  ///< without patches and keys
-  std::vector<FolderCase> cases;
-  std::set<std::string> controls;  ///< addresses of cases that also go on to grade A (controls.h)
-};
-
 /// What of it is done.
 struct FolderState {
   std::vector<std::string> open;  ///< addresses without a whole result, each once, in case order
-  int done = 0, sealed = 0, failed = 0;  ///< cases
-  int scored = 0;                        ///< of the done ones, those with a rated sample
+  int open_cases = 0, done = 0, sealed = 0, failed = 0;  ///< cases, by their numbers
+  int scored = 0;  ///< of the done ones, those with a rated sample
 };
 
 class StudyFolder {
@@ -115,17 +89,5 @@ class StudyLock {
 void write_whole(const std::filesystem::path& file, const std::string& text);
 /// Removes what writers of a file that were killed have left beside it; none may be at work.
 void remove_left_overs(const std::filesystem::path& file);
-
-/// Names of the scorecards, wherever their files are.
-std::vector<std::string> scorecard_names(const FolderPlan& plan);
-/// The axis of people in a plan; −1: none.
-int people_axis(const FolderPlan& plan);
-/// Whether people, listed or drawn, or draws of anything else tell its cases apart: else cases are
-/// values that were chosen, of which drawing with replacement says nothing.
-bool varies_by_chance(const FolderPlan& plan);
-/// The axis that answers how loose it may be; −1: none.
-int looseness_axis(const FolderPlan& plan);
-/// "person 3, fit 0.16"
-std::string label(const FolderPlan& plan, const FolderCase& one);
 
 }  // namespace loosefit::study

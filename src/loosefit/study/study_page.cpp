@@ -334,8 +334,7 @@ std::string distribution_svg(const std::vector<SiteScores>& sites, double pass) 
     std::vector<double> rated = sites[i].scores;
     std::erase_if(rated, [](double s) { return std::isnan(s); });
     if (rated.empty()) continue;
-    svg += report::svg_line(at(quantile(rated, kRobustPeople)), y,
-                            at(quantile(rated, 1 - kRobustPeople)), y,
+    svg += report::svg_line(at(quantile(rated, kRobustPeople)), y, at(robust_from_above(rated)), y,
                             "stroke=\"#2458a8\" stroke-width=\"2\"");
     const double middle = at(median(rated));
     svg += report::svg_line(middle, y - 7, middle, y + 7, "stroke=\"#2458a8\" stroke-width=\"3\"");

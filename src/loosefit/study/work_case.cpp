@@ -4,31 +4,61 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <system_error>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
-#include "loosefit/io/scorecard_file.h"
 #include "loosefit/pipeline/run_case.h"
 #include "loosefit/report/run_into_folder.h"
+#include "loosefit/report/write_output.h"
 #include "loosefit/study/controls.h"
 #include "loosefit/study/measure_case.h"
 
 namespace loosefit::study {
 namespace {
 
-pipeline::CaseResult run(const StudyFolder& folder, const std::string& address,
-                         const WorkOptions& options, Progress& progress, bool to_grade_a = false) {
-  scenario::Scenario scenario = io::read_scenario(folder.scenario_file(address).string());
-  scenario.file = "scenario.toml";  // in messages, which are the same wherever the study lies
+/// What is read while a case runs has to be what its address was made of: else its result would
+/// stand under the name of another.
+void check_inputs(const scenario::Scenario& scenario, const FolderPlan& plan,
+                  const std::string& address) {
+  if (case_address(scenario, plan.modalities) != address)
+    throw IoError("case " + address +
+                      ": an input (pattern, scan, body data, scorecard, scenario or program) has "
+                      "changed since the plan was made",
+                  "run again: the plan is then made anew");
+}
+
+/// What the folder of an output refuses is no fault of the case. \throws IoError
+void check_output(const scenario::Scenario& scenario, const std::filesystem::path& output) {
+  try {
+    const io::RunFolder files = io::RunFolder::create(output);
+    files.announce(report::planned_files(scenario, {.log = true}));
+  } catch (const InvalidInput& error) {
+    throw IoError(error.what(), error.hint());
+  }
+}
+
+pipeline::CaseResult run_keeping(const scenario::Scenario& scenario,
+                                 const std::filesystem::path& output, Progress& progress) {
+  check_output(scenario, output);
+  try {
+    return report::run_into_folder(scenario, output, {}, true, progress).result;
+  } catch (const InvalidInput&) {
+    check_output(scenario, output);  // something may have come in the way meanwhile
+    throw;
+  }
+}
+
+pipeline::CaseResult run(scenario::Scenario scenario, const std::filesystem::path& output,
+                         const WorkOptions& options, Progress& progress, bool to_grade_a) {
   scenario.simulation.threads = options.threads;
   if (to_grade_a) scenario.simulation.certificate = solver::RestGrade::a;
-  if (!options.keep_output || to_grade_a) return pipeline::run_case(scenario, progress);
-  return report::run_into_folder(scenario, folder.case_folder(address) / "output", {}, true,
-                                 progress)
-      .result;
+  return options.keep_output && !to_grade_a ? run_keeping(scenario, output, progress)
+                                            : pipeline::run_case(scenario, progress);
 }
 
 CaseRecord failed(const std::string& reason) {
@@ -41,10 +71,12 @@ CaseRecord failed(const std::string& reason) {
 
 /// An error is the result of the case.
 CaseRecord measured(const StudyFolder& folder, const std::string& address,
+                    const scenario::Scenario& scenario,
                     const std::vector<placement::Scorecard>& cards, const WorkOptions& options,
                     Progress& progress, bool to_grade_a = false) {
   try {
-    const pipeline::CaseResult result = run(folder, address, options, progress, to_grade_a);
+    const pipeline::CaseResult result =
+        run(scenario, folder.case_folder(address) / "output", options, progress, to_grade_a);
     const ThreadLimit threads(options.threads);
     return measure_case(result, cards);
   } catch (const InvalidInput& error) {
@@ -81,8 +113,12 @@ void add_execution(std::chrono::steady_clock::time_point start, Execution& execu
 CaseRecord work_case(const StudyFolder& folder, const FolderPlan& plan, const std::string& address,
                      const WorkOptions& options, Progress& progress) {
   std::vector<placement::Scorecard> cards;
-  for (const std::string& modality : plan.modalities) cards.push_back(io::load_scorecard(modality));
+  for (std::size_t m = 0; m < plan.modalities.size(); ++m) cards.push_back(scorecard(plan, m));
+  scenario::Scenario scenario = io::read_scenario(folder.scenario_file(address).string());
+  scenario.file = "scenario.toml";  // in messages, which are the same wherever the study lies
+  check_inputs(scenario, plan, address);
   const auto write = [&](const CaseRecord& record) {
+    check_inputs(scenario, plan, address);
     write_whole(folder.result_file(address), record_json(record));
   };
   CaseRecord record;
@@ -95,14 +131,15 @@ CaseRecord work_case(const StudyFolder& folder, const FolderPlan& plan, const st
     record = *before;
   } else {
     const auto start = std::chrono::steady_clock::now();
-    record = measured(folder, address, cards, options, progress);
+    record = measured(folder, address, scenario, cards, options, progress);
     record.address = address;
     add_execution(start, record.execution);
     write(record);  // also of a control: whatever ends it, this stays
   }
   if (record.status == CaseStatus::done && plan.controls.count(address) && !record.control.ran) {
     const auto start = std::chrono::steady_clock::now();
-    record.control = compared(record, measured(folder, address, cards, options, progress, true));
+    record.control =
+        compared(record, measured(folder, address, scenario, cards, options, progress, true));
     add_execution(start, record.execution);
     write(record);
   }

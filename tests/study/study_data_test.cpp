@@ -1,0 +1,85 @@
+#include "loosefit/study/study_data.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "loosefit/io/text_file.h"
+#include "loosefit/study/analysis.h"
+#include "loosefit/study/gallery.h"
+#include "support/study_on_disk.h"
+
+namespace loosefit::study {
+namespace {
+
+// An axis that changes nothing gives each scenario two numbers; it runs once.
+TEST_F(StudyOnDisk, WhatOneScenarioOfSeveralNumbersTookCountsOnce) {
+  plan = make_plan(parse_study_file(
+      kStudy + std::string("[scenario.donning]\nrepeats = 1\n[[axis]]\nname = \"idle\"\n"
+                           "key = \"donning.shift\"\nvalues = [0.01, 0.02]\n"),
+      "x.toml"));
+  ASSERT_EQ(same_as_others(plan), 12);
+  const StudyFolder folder = planned("a");
+  const std::string open = plan.cases.front().address;
+  std::set<std::string> ran;
+  for (const PlannedCase& one : plan.cases) {
+    if (one.address == open || !ran.insert(one.address).second) continue;
+    finish(folder, one);
+  }
+  const FolderState state = folder.state(folder.read_plan());
+  EXPECT_EQ(state.open.size(), 1u);
+  EXPECT_EQ(state.open_cases, 2);
+  EXPECT_EQ(state.open_cases + state.done + state.sealed + state.failed, 24);
+  const StudyData data = read_study_data(folder);
+  EXPECT_EQ(data.done, 22);
+  EXPECT_DOUBLE_EQ(data.core_seconds, 11 * 12.5);
+}
+
+TEST_F(StudyOnDisk, AControlOfSeveralNumbersCountsOnce) {
+  plan = make_plan(parse_study_file(
+      kStudy + std::string("[scenario.simulation]\ncertificate = \"B\"\n"
+                           "[scenario.donning]\nrepeats = 1\n[[axis]]\nname = \"idle\"\n"
+                           "key = \"donning.shift\"\nvalues = [0.01, 0.02]\n"),
+      "x.toml"));
+  const StudyFolder folder = planned("a");
+  const std::set<std::string> controls = folder.read_plan().controls;
+  for (const PlannedCase& one : plan.cases) {
+    CaseRecord record = made_up(one.address, score(one));
+    if (controls.contains(one.address))
+      record.control = {true, "", {{"slip_mm", 0.25}}, ScoreChanges{7, 2, 1}};
+    write_whole(folder.result_file(one.address), record_json(record));
+  }
+  const ControlSummary summary = read_study_data(folder).controls;
+  EXPECT_EQ(summary.cases, static_cast<int>(controls.size()));
+  EXPECT_EQ(summary.scores.kept, 7 * static_cast<int>(controls.size()));
+}
+
+// A limit that hangs on one of four people says so.
+TEST_F(StudyOnDisk, TheHeadlineSaysHowManyAreRatedAtTheFitThatSetsTheLimit) {
+  const StudyFolder folder = planned("a");
+  const auto headline = [&](int rated_at_second) {
+    for (const PlannedCase& one : plan.cases) {
+      const bool is_rated = one.levels[1] != 1 || one.levels[0] < rated_at_second;
+      CaseRecord record = made_up(one.address, one.levels[1] < 2 ? 0.9 : 0.1);
+      if (!is_rated) record.samples[0].score = record.samples[0].margin = kNotKnown;
+      write_whole(folder.result_file(one.address), record_json(record));
+    }
+    return headlines(analyse(read_study_data(folder))).front();
+  };
+  EXPECT_NE(headline(1).find(" (rated there: 1 of 4)"), std::string::npos) << headline(1);
+  EXPECT_EQ(headline(4).find("rated there"), std::string::npos) << headline(4);
+}
+
+TEST_F(StudyOnDisk, AKeptOutputThatCannotBeReadCostsTheGalleryAlone) {
+  const StudyFolder folder = finished("a");
+  const fs::path output = folder.case_folder(plan.cases.front().address) / "output";
+  fs::create_directories(output);
+  io::write_text_file((output / "drape.vtp").string(), "half a fi");
+  Progress silent;
+  const Gallery gallery = make_gallery(folder, folder.read_plan(), silent);
+  EXPECT_TRUE(gallery.png.empty());
+  EXPECT_FALSE(gallery.why.empty());
+}
+
+}  // namespace
+}  // namespace loosefit::study
