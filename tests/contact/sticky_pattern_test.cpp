@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "loosefit/contact/contact_tuning.h"
 
 namespace loosefit::contact {
@@ -38,6 +40,23 @@ TEST(StickyPattern, VersionChangesOnlyWithNewBlocks) {
   EXPECT_EQ(set({{0, 1, 2, 3}, {0, 1, 2, 4}}), second);
   EXPECT_EQ(r.used(), 9u);
   EXPECT_EQ(blocks(r, 10), 9u);
+}
+
+TEST(StickyPattern, GoesBackUnderAVersionThatNeitherHasHad) {
+  StickyPattern r(10);
+  const auto grow = [&](const Stencil& contact) {
+    r.begin();
+    r.use(contact, 4);
+    r.end();
+    return r.version();
+  };
+  std::set<std::uint64_t> seen = {grow({0, 1, 2, 3})};
+  const StickyPattern earlier = r;
+  seen.insert(grow({0, 1, 2, 4}));
+  r.recall(earlier);
+  EXPECT_EQ(blocks(r, 10), 6u);
+  EXPECT_TRUE(seen.insert(r.version()).second);
+  EXPECT_TRUE(seen.insert(grow({5, 6, 7, 8})).second) << "as many blocks, but others";
 }
 
 TEST(StickyPattern, ForgetsWhatIsNotInUseWhenTooMuchHasPiledUp) {

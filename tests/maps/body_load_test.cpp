@@ -74,6 +74,10 @@ TEST(BodyLoad, NearSharesAreOfTheAreaByGap) {
 
 TEST(BodyLoad, ClothBetweenArmAndTrunkIsSqueezedWhenBothAreNear) {
   EXPECT_EQ(Scene(0.5).load().between_arm_and_trunk, 0);
+  const BodyLoad half = Scene(0.002 + body::kSkinGap).load();
+  EXPECT_DOUBLE_EQ(half.free_force(), 2);
+  EXPECT_DOUBLE_EQ(half.free_of_limb.at("trunk"), 2);
+  EXPECT_DOUBLE_EQ(half.free_of_limb.at("upper_arm_L"), 0);
   // Up to two layers and the gap of folds, 9 mm, from the arm: 0.25 and 1.8 mm less than it is off.
   EXPECT_DOUBLE_EQ(Scene(0.001 + body::kSkinGap).load().between_arm_and_trunk, 5);
   EXPECT_DOUBLE_EQ(Scene(0.002 + body::kSkinGap).load().between_arm_and_trunk, 3);

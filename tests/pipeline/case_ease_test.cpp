@@ -12,9 +12,12 @@ maps::BodyLoad pressing(double newton, double squeezed = 0) {
   load.normal_force = newton;
   load.weight = 1;
   load.between_arm_and_trunk = squeezed;
-  for (const std::string& limb : maps::limb_names()) load.of_limb[limb] = 0;
+  for (const std::string& limb : maps::limb_names())
+    load.of_limb[limb] = load.free_of_limb[limb] = 0;
   load.of_limb["forearm_L"] = 0.75 * newton;
   load.of_limb["trunk"] = 0.25 * newton;
+  load.free_of_limb["forearm_L"] = 0.75 * load.free_force();
+  load.free_of_limb["trunk"] = 0.25 * load.free_force();
   return load;
 }
 
@@ -43,6 +46,33 @@ TEST(CaseEase, StationsOfADraftKnowWhatWasAskedAndThoseOfASizeDoNot) {
   EXPECT_NEAR(asked[0].cut, 0.111, 1e-3);
   spec.size = "women-38";
   EXPECT_FALSE(station_eases(pattern, spec)[0].asked.has_value());
+}
+
+TEST(CaseEase, ATightWaistThatNobodyAskedForDoesNotSilenceAShirtThatPresses) {
+  CasePattern pattern;
+  pattern.levels = {{"chest", 1.0, 0.9}, {"waist", 0.7, 0.72}};
+  pattern.fit = {{"chest", 0.11}, {"waist", -0.03}};
+  scenario::GarmentSpec spec;
+  spec.fit["chest"] = 0.11;
+  const Stations stations = station_eases(pattern, spec);
+  EXPECT_FALSE(stations[1].asked.has_value());
+  EXPECT_FALSE(stations[1].drawn_in) << "it may be asked for";
+  EXPECT_TRUE(is_asked_loose(stations));
+  EXPECT_EQ(ease_warnings(stations, pressing(25)).size(), 1u);
+  // A level that cannot be asked for is drawn in by the draft, as a waistband.
+  pattern.levels[1].name = "waistband", pattern.fit = {{"chest", 0.11}, {"waistband", -0.03}};
+  EXPECT_TRUE(station_eases(pattern, spec)[1].drawn_in);
+  EXPECT_FALSE(is_asked_loose(station_eases(pattern, spec)));
+}
+
+TEST(CaseEase, LimbsAreToldByWhatTheyBearFreeOfTheArms) {
+  maps::BodyLoad load = pressing(30, 18);  // of which the arms squeeze 18
+  load.of_limb = load.free_of_limb;
+  load.of_limb["upper_arm_L"] += 18;
+  const auto lines = ease_warnings({{"chest", 0.12, 0.12}}, load);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("forearm_L 75 %"), std::string::npos) << lines[0];
+  EXPECT_EQ(lines[0].find("upper_arm_L"), std::string::npos) << lines[0];
 }
 
 TEST(CaseEase, LeastIsThatOfAllStationsAskedForOrNot) {

@@ -112,6 +112,22 @@ TEST_F(RepeatDrapes, SpreadsOfAScenarioThatHasChangedAreLeftOutWithAWarning) {
   const CaseResult again = read_again();
   EXPECT_TRUE(again.repeats.spread.empty());
   EXPECT_EQ(again.warnings.size(), result.warnings.size() + 2);
+  // A drape of other forces has no certificate.
+  replace_in("scenario.toml", "gravity = 9.", "gravity = 8.");
+  try {
+    read_again();
+    ADD_FAILURE() << "judged by the certificate of another drape";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "simulation") << error.what();
+  }
+  replace_in("scenario.toml", "gravity = 8.", "gravity = 9.");
+  replace_in("scenario.toml", "areal_density = 0.", "areal_density = 0.0");
+  try {
+    read_again();
+    ADD_FAILURE() << "judged by the certificate of another drape";
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.place().key, "material") << error.what();
+  }
 }
 
 TEST_F(RepeatDrapes, DrapesThatDidNotSettleAreNamedAlsoWhenTheRunIsReadAgain) {

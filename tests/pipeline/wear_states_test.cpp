@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "loosefit/base/error.h"
@@ -18,6 +19,7 @@
 #include "loosefit/pipeline/prepare_case.h"
 #include "loosefit/pipeline/rank_case.h"
 #include "loosefit/pipeline/simulation_options.h"
+#include "loosefit/pipeline/summary.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -205,6 +207,52 @@ TEST(WearStates, AStoredRunRanksAlike) {
   EXPECT_FALSE(poorer.wear.states[0].counts());
   EXPECT_EQ(state_warnings(poorer).size(), 1u);
   std::filesystem::remove_all(folder);
+}
+
+TEST(WearStates, WhatOnlyTheRunCouldTellIsKeptWhenItIsReadAgain) {
+  CaseResult result = worn_case();
+  std::vector<CaseState>& states = result.wear.states;
+  drape::Drape& unsettled = states[0].drapes[0];
+  unsettled.certificate.residual = 0.1;
+  unsettled.report.parts = {{"posture", 0, 90, 0, {.iterations = 7, .factorisations = 9}},
+                            {"settle", 1, 300, 1, {.iterations = 5}}};
+  drape::Unsettled& why = unsettled.unsettled.emplace();
+  why.why = "the hem pulls", why.hint = "wait longer", why.times_allowed = 100;
+  why.worst = {{.vertex = 4,
+                .panel = "front",
+                .at = {0.1, 0.2},
+                .position = {1, 2, 3},
+                .near = "torso",
+                .net = 0.5,
+                .force = {1, 2, 3, 4, 5, 6, 7}}};
+  why.cuts = {{.triangle = 8, .panel = "back", .with = "left hand", .body = true}};
+  states[1].drapes.clear();
+  states[1].left_out = "could not be draped: no room";
+  result.body.dressing_warnings = {"put on with the arms wide apart"};
+  result.wear.warnings = {"put on in another way"};
+  result.studied().drape.report.coarsened_field = 0.012;
+  result.warnings = case_warnings(result);
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "told-once";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  write_case_files(folder, result);
+  write_summary_file(folder, result);
+  Progress silent;
+  CaseResult again = load_case(folder, silent);
+  std::filesystem::remove_all(folder);
+  again.warnings = case_warnings(again);
+  EXPECT_EQ(again.warnings, result.warnings);
+  const auto of_states = [](const CaseResult& r) {
+    nlohmann::json all = nlohmann::json::parse(summary_json(r))["states"];
+    for (nlohmann::json& state : all) state.erase("maps"), state.erase("wrinkles");
+    return all;
+  };
+  const nlohmann::json told = of_states(result), recalled = of_states(again);
+  EXPECT_EQ(recalled, told);
+  EXPECT_EQ(told[0]["iterations"], 12);
+  EXPECT_EQ(told[0]["parts"][1]["start"], 2);
+  EXPECT_TRUE(told[1]["worn"].is_null());
+  EXPECT_EQ(told[1]["stop_reason"], "could not be draped: no room");
 }
 
 TEST(WearStates, WhatDidNotSettleIsNamedAndCountsNowhere) {

@@ -77,6 +77,14 @@ TEST(WearerMovements, SizesScaleThem) {
               1e-4);
 }
 
+TEST(WearerMovements, AnArmGoesAsFarAsItsJoint) {
+  scenario::ScenarioBody wished;
+  wished.posture.arm_flexion = radians(59);
+  const drape::Movements made = made_by(make_body(wished), {{"arm-raise", 3}});
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_NEAR(std::abs(degrees_forward(made[0].way(1))), 180, 20);
+}
+
 TEST(WearerMovements, FidgetingLeavesAFifthOfFrictionToThePowerOfItsSize) {
   const drape::Movements made = made_by(wearer(), {{"fidget", 1}});
   ASSERT_EQ(made.size(), 1u);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "loosefit/base/error.h"
+
 namespace loosefit::validate {
 namespace {
 
@@ -43,6 +45,10 @@ TEST(TrunkHem, IsTheLowerEndOfTheTrunkAndNotACuffBelowIt) {
   ASSERT_EQ(hem.size(), kAround);
   for (int v : hem) EXPECT_DOUBLE_EQ(x[v].z(), 0.9);
   EXPECT_TRUE(trunk_hem(cuff, x).empty());
+}
+
+TEST(TrunkHem, WithoutOneThereAreNoHeights) {
+  EXPECT_THROW(hem_means({}, {}, {}), SolverFailure);
 }
 
 TEST(TrunkHem, OfATiltedTubeIsHighBehindAndAtItsMiddleAtTheSides) {

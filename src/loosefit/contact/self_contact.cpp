@@ -130,7 +130,7 @@ void SelfContact::recall(const Memory& memory) {
       }));
   pairs_ = memory.pairs;
   friction_.recall(memory.friction);
-  blocks_ = memory.blocks;
+  blocks_.recall(memory.blocks);
 }
 
 void SelfContact::begin_step(const particles::VectorField& x, double dt) {

@@ -34,6 +34,12 @@ void StickyPattern::end(bool complete) {
   grown_ = false;
 }
 
+void StickyPattern::recall(const StickyPattern& earlier) {
+  const std::uint64_t next = std::max(version_, earlier.version_) + 1;
+  *this = earlier;
+  version_ = next;
+}
+
 void StickyPattern::add_to(particles::BlockPattern& pattern) const {
   for (std::size_t column = 0; column < rows_of_column_.size(); ++column)
     for (const Entry& e : rows_of_column_[column]) pattern.add(e.row, static_cast<int>(column));

@@ -24,8 +24,10 @@ class StickyPattern {
   }
   void end(bool complete = true);
 
-  /// Changes with the set of blocks.
+  /// Grows whenever the set of blocks changes.
   std::uint64_t version() const { return version_; }
+  /// Goes back to an earlier set of blocks, under a version that neither has had.
+  void recall(const StickyPattern& earlier);
   std::size_t size() const { return size_; }
   std::size_t used() const { return used_; }
   void add_to(particles::BlockPattern& pattern) const;

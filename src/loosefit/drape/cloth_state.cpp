@@ -55,6 +55,7 @@ bool ClothState::must_stop() const {
 
 Stop ClothState::how_it_ended() const {
   if (given_up) return *given_up;
+  if (went_back) return *went_back;
   if (falling) return *falling;
   // A loose tolerance may have been met when time or iterations were used up: that is not why it
   // stopped.
@@ -115,7 +116,9 @@ bool ClothState::is_near_enough(double residual) {
   if (asked_ == asks.size() || residual > asks[asked_]) return false;
   while (asked_ < asks.size() && residual <= asks[asked_]) ++asked_;
   const auto left = left_to_go(model->system(), triangles(), x);
-  return left && left->is_grade_b() && geometry::self_intersections(x, triangles()).empty() &&
+  return left && left->is_grade_b() &&
+         solver::residual_of(model->system(), model->system().gradient(x)).largest <=
+             solver::kRestLargestB && geometry::self_intersections(x, triangles()).empty() &&
          geometry::folded_edges(x, triangles()).empty() &&
          geometry::mesh_intersections(x, triangles(), body->body.tree()).empty();
 }
@@ -157,6 +160,7 @@ void ClothState::settle(const SettleGoal& goal) {
     if (!falling) falling = free_fall_->falling(x, body_box);
     return falling || budget.time_is_up() || budget.phase_is_over(iteration);
   };
+  went_back.reset();
   asked_ = 0;
   if (goal.last_of_all && options.grade == solver::RestGrade::b && counts)
     settle.near_enough = [this](double residual) { return is_near_enough(residual); };
@@ -169,8 +173,8 @@ void ClothState::settle(const SettleGoal& goal) {
   last = integrator_->settle(x, settle);
   // Work is told apart by part and level.
   if (report.parts.empty() || report.parts.back().part != part ||
-      report.parts.back().level != level)
-    report.parts.push_back({part, level, static_cast<int>(x.size()), {}});
+      report.parts.back().level != level || report.parts.back().start != start)
+    report.parts.push_back({part, level, static_cast<int>(x.size()), start, {}});
   report.parts.back().work += last.work;
   // Implicit Euler is limited and counted by its time steps, each of a few Newton iterations.
   const bool implicit_steps = kind == IntegratorKind::implicit_euler;
@@ -179,7 +183,8 @@ void ClothState::settle(const SettleGoal& goal) {
 }
 
 void ClothState::keep(std::optional<Kept>& kept, double residual) const {
-  kept.emplace(Kept{x, model->memory(), residual, report.held_off_triangles, body, start});
+  kept.emplace(
+      Kept{x, model->memory(), residual, report.held_off_triangles, body, start, times_cut});
 }
 
 bool ClothState::recover(RecoveryPoint point) {

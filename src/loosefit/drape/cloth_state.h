@@ -86,11 +86,12 @@ struct ClothState {
   solver::SettleOutcome last;         ///< of the last `settle`
   std::optional<Stop> falling;        ///< cloth that nothing holds: all further work is vain
   std::optional<Stop> given_up;       ///< a posture that is not followed further
-  std::string no_room;                ///< why the garment cannot be laid round the body; or empty
-  body::BodyPath path, wide_path;     ///< of the body; the second for more room, may be empty
-  bool arms_go_up = false;            ///< in the posture in which it is put on
-  Movements movements;                ///< of the wearer, once the garment is on
-  double friction_share = 1;  ///< that the wearer's fidgeting leaves (phases/wear_in.h) [–]
+  std::optional<Stop> went_back;   ///< how the kept state had ended that `x` is; settling ends it
+  std::string no_room;             ///< why the garment cannot be laid round the body; or empty
+  body::BodyPath path, wide_path;  ///< of the body; the second for more room, may be empty
+  bool arms_go_up = false;         ///< in the posture in which it is put on
+  Movements movements;             ///< of the wearer, once the garment is on
+  double friction_share = 1;       ///< that the wearer's fidgeting leaves (phases/wear_in.h) [–]
   PostureStep step;
   Certificate certificate;
   SettleReport report;
@@ -103,6 +104,7 @@ struct ClothState {
     int held_off_triangles = 0;
     std::shared_ptr<const ContactBody> body;  ///< that the memory asks for distances
     int start = 0;                            ///< as ClothState::start
+    std::map<int, int> times_cut = {};        ///< as ClothState::times_cut
     std::optional<Stop> stop = {};            ///< absent: as the drape ends
   };
   std::optional<Kept> lowest;     ///< that of the lowest residual, penetrations or not
@@ -113,12 +115,8 @@ struct ClothState {
   std::set<int> penetrating;      ///< triangles that cut the skin when last looked
   std::map<int, int> times_cut;   ///< rounds in which each triangle's offsets were raised
   std::shared_ptr<const WornCloth> worn;  ///< following: where it starts
-  /// One putting on of the garments.
-  struct Start {
-    std::vector<WornCloth::Level> handed_on;  ///< the levels so far
-    std::size_t first_part = 0;               ///< of SettleReport::parts
-  };
-  std::vector<Start> starts{1};
+  /// Per start, that is each time that the garments were put on: the levels so far.
+  std::vector<std::vector<WornCloth::Level>> handed_on{1};
   int start = 0;                         ///< that `x` comes from
   std::map<RecoveryKind, int> attempts;  ///< of each, as often as it was tried
 
@@ -136,7 +134,7 @@ struct ClothState {
   bool must_stop() const;
   /// That, or the phase has had its iterations.
   bool is_over() const { return must_stop() || budget.phase_is_over(); }
-  /// How it ended: the last settling, unless something else cut it short.
+  /// How what `x` is ended: the last settling, unless something else cut it short.
   Stop how_it_ended() const;
 
   /// Energies of this level; `stiffness_share` of the membrane's stiffness.

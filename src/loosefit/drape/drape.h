@@ -46,7 +46,8 @@ struct Certificate {
     return residual <= allowed_residual && residual_max <= allowed_largest();
   }
   bool is_grade_b() const {
-    return left && left->is_grade_b() && residual <= solver::kRestToleranceB;
+    return left && left->is_grade_b() && residual <= solver::kRestToleranceB &&
+           residual_max <= solver::kRestLargestB;
   }
   /// Of a balanced one: what it reached, whatever was wanted.
   solver::RestGrade grade() const {
@@ -69,6 +70,7 @@ struct SettleSample {
 struct PartWork {
   std::string part;  ///< "dress", "posture", "settle", "retry"
   int level = 0, vertices = 0;
+  int start = 0;  ///< putting on that it belongs to: 0 first, 1 second
   solver::SolverWork work;
 };
 

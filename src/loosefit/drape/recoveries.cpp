@@ -74,7 +74,7 @@ bool may_settle_off_the_skin(ClothState& state) {
 }
 
 /// Few cuts, or none and no rest: a fold that closed on itself, a pinch that another way does not
-/// lead into. Many tell that there is no room. Time and iterations must do for all of it.
+/// lead into. Many tell that there is no room. Iterations must do for all of it.
 bool may_settle_from_another_start(ClothState& state) {
   const Certificate& c = state.certificate;
   const int cuts = c.intersections_self + c.intersections_body;

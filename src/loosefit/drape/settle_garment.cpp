@@ -41,18 +41,14 @@ void bring_to_rest(ClothState& state) {
 
 /// What postures start from.
 std::shared_ptr<const WornCloth> worn_cloth(ClothState& state) {
-  ClothState::Start& start = state.starts[state.start];
-  start.handed_on.push_back({state.x, state.model->memory()});
-  const auto& parts = state.report.parts;
-  const bool is_last = &start == &state.starts.back();
-  const std::size_t next = is_last ? parts.size() : state.starts[state.start + 1].first_part;
+  std::vector<WornCloth::Level>& levels = state.handed_on[state.start];
+  levels.push_back({state.x, state.model->memory()});
   int iterations = 0;
-  for (std::size_t i = start.first_part; i < parts.size(); ++i)
-    if (parts[i].level == state.level &&
-        (parts[i].part == "retry" || (parts[i].part == "settle" && i < next)))
-      iterations += parts[i].work.iterations;
-  return std::make_shared<const WornCloth>(
-      WornCloth{std::move(start.handed_on), state.body, iterations});
+  for (const PartWork& part : state.report.parts)
+    if (part.start == state.start && part.level == state.level &&
+        (part.part == "settle" || part.part == "retry"))
+      iterations += part.work.iterations;
+  return std::make_shared<const WornCloth>(WornCloth{std::move(levels), state.body, iterations});
 }
 
 /// Takes up the cloth as it is worn, on the level on which the posture is followed: the coarsest,
@@ -94,7 +90,8 @@ void settle_followed(ClothState& state) {
       std::max(tuning.least_iterations, tuning.iterations_factor * state.worn->iterations);
   state.budget.limit_phase(most);
   free_penetrations(state);
-  if (state.budget.phase_is_over())
+  const bool at_rest = state.last.reason == solver::SettleOutcome::Reason::converged;
+  if (state.budget.phase_is_over() && !at_rest)
     state.given_up = Stop{.reason = StopReason::posture_too_long, .iterations = most};
 }
 
@@ -115,14 +112,15 @@ void put_on_again(ClothState& state) {
   state.keep(state.first_try, state.last.residual);
   state.first_try->stop = state.how_it_ended();
   const solver::SettleOutcome last = state.last;
-  state.starts.push_back({{}, state.report.parts.size()});
-  state.start = static_cast<int>(state.starts.size()) - 1;
+  state.handed_on.emplace_back();
+  state.start = static_cast<int>(state.handed_on.size()) - 1;
   state.level = 0;
   state.friction_share = 1;
   bool is_there = false;
   try {
     bring_to_rest(state);
-    is_there = !state.must_stop() || state.last.residual <= state.options.residual_tolerance;
+    is_there = state.last.reason == solver::SettleOutcome::Reason::converged ||
+               state.last.residual <= state.options.residual_tolerance;
   } catch (const GeometryError&) {  // the drape that there is counts for more
   }
   if (!is_there) {  // what has not come to rest is no rival, however little it cuts

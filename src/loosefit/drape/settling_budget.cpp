@@ -18,11 +18,6 @@ void SettlingBudget::count(int iterations, bool explicit_steps) {
   spent_ += worth * iterations;
 }
 
-bool SettlingBudget::is_half_left() const {
-  return 2 * seconds() <= options_.time_budget * options_.drapes_at_once &&
-         2 * spent_ <= options_.max_iterations;
-}
-
 int SettlingBudget::iterations_left() const {
   return std::max(0, static_cast<int>(std::ceil(options_.max_iterations - spent_)));
 }

@@ -85,7 +85,7 @@ std::string limb_of(body::Region region) {
 
 BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
                    const WornGarment& worn, const body::PosedBody& body,
-                   const fabric::Material& material, double gravity) {
+                   const fabric::Material& material, double gravity, double least_edge) {
   const auto n = static_cast<std::size_t>(garment.vertex_count);
   if (drape.body_normal_force.size() != n || drape.positions.size() != n ||
       worn.partners.size() != n)
@@ -93,9 +93,9 @@ BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
                        " normal forces for " + std::to_string(n) + " garment vertices");
   BodyLoad load;
   load.weight = garment.mass * gravity;
-  for (const std::string& limb : limb_names()) load.of_limb[limb] = 0;
-  const double reach =
-      2 * material.thickness + std::max(body::kSkinGap, mean_edge(garment, worn.areas));
+  for (const std::string& limb : limb_names()) load.of_limb[limb] = load.free_of_limb[limb] = 0;
+  const double reach = 2 * material.thickness +
+                       std::max({body::kSkinGap, mean_edge(garment, worn.areas), least_edge});
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const body::BodyPartner& partner = worn.partners[i];
@@ -106,9 +106,12 @@ BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
     const double force = drape.body_normal_force[i];
     if (!(force > 0)) continue;
     load.normal_force += force;
-    load.of_limb[limb_of(worn.regions[i])] += force;
+    const std::string limb = limb_of(worn.regions[i]);
+    load.of_limb[limb] += force;
     if (partner.exact.triangle >= 0 && lies_between(drape.positions[i], partner, body, reach))
       load.between_arm_and_trunk += force;
+    else
+      load.free_of_limb[limb] += force;
   }
   for (double& share : load.near_share) share = area > 0 ? share / area : 0;
   return load;

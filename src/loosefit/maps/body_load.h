@@ -23,9 +23,13 @@ struct BodyLoad {
   /// Part of normal_force where cloth lies between an arm and the trunk (or a leg), which press it
   /// from both sides [N]: not held there by the cut of the garment.
   double between_arm_and_trunk = 0;
+  /// free_force() by limb [N]: every name of limb_names().
+  std::map<std::string, double> free_of_limb;
   /// Share of the flat area whose gap (maps/gap.h) is at most kNearGaps [–].
   std::array<double, kNearGaps.size()> near_share{};
 
+  /// What is not squeezed between an arm and the trunk [N].
+  double free_force() const { return normal_force - between_arm_and_trunk; }
   /// NaN for a garment without weight.
   double force_over_weight() const;
 };
@@ -38,9 +42,11 @@ std::string limb_of(body::Region region);
 /// Cloth counts as pressed from both sides where skin that looks the other way is nearer than two
 /// layers and what folds of skin keep apart (body::kSkinGap), or the mean edge of the mesh if that
 /// is longer: triangles do not fold into a gap narrower than their edges, they are propped in it.
+/// `least_edge` [m] counts where the mean edge is shorter, to compare with a coarser mesh.
 /// \throws InvalidInput when the drape does not know its normal forces, or when sizes differ.
 BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
                    const WornGarment& worn, const body::PosedBody& body,
-                   const fabric::Material& material, double gravity = kGravity);
+                   const fabric::Material& material, double gravity = kGravity,
+                   double least_edge = 0);
 
 }  // namespace loosefit::maps

@@ -164,7 +164,8 @@ CaseBody clone_wearer(const CaseBody& body) {
 }
 
 std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after) {
-  return {after.warnings.begin() + static_cast<long>(before.warnings.size()), after.warnings.end()};
+  const std::vector<std::string>& all = after.dressing_warnings;
+  return {all.begin() + static_cast<long>(before.dressing_warnings.size()), all.end()};
 }
 
 drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
@@ -179,8 +180,8 @@ drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
   if (!drape.report.no_room.empty()) {
     body.path = std::exchange(body.wide_path, {});
     body.from = body::kArmsWide;
-    body.warnings.push_back("put on with the arms wide apart, since in the usual posture " +
-                            drape.report.no_room);
+    body.dressing_warnings.push_back(
+        "put on with the arms wide apart, since in the usual posture " + drape.report.no_room);
   }
   return drape;
 } catch (const dress::NoRoom& error) {

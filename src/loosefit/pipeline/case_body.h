@@ -31,6 +31,7 @@ struct CaseBody {
   std::vector<CaseMovement> movements;  ///< that were made once the garments were on
   std::vector<body::MeasureRow> asked;  ///< wishes against what the surface measures [m]
   std::vector<std::string> warnings;    ///< from the fit or the scan's check
+  std::vector<std::string> dressing_warnings;  ///< of putting on
 };
 
 /// The parametric person, or the one of a file: the body model laid on the scan where it can be
@@ -46,7 +47,7 @@ CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress = nu
 /// nothing that they ask.
 CaseBody clone_wearer(const CaseBody& body);
 
-/// What `after`, who began as a copy of `before`, has been warned of since.
+/// Of what putting on `after`, who began as a copy of `before`, has warned since.
 std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after);
 
 /// Puts the garment on along the body's path or, where it cannot be laid in the usual dressing

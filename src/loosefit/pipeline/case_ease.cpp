@@ -30,24 +30,33 @@ bool is_short_of_asked(const StationEase& s) {
   return s.cut < (*s.asked >= kLooseEase ? kCutShare * *s.asked : *s.asked - kToldShortfall);
 }
 
-std::optional<double> asked_ease(const std::string& station, const scenario::GarmentSpec& spec) {
-  if (!spec.file.empty() || !spec.size.empty()) return std::nullopt;
-  for (const kinds::KindKey& key : kinds::garment_kind(spec.kind).keys) {
-    if (!key.mobility || key.name != station) continue;
-    const auto wished = spec.fit.find(key.name);
-    return wished == spec.fit.end() ? key.usual : wished->second;
-  }
-  return std::nullopt;
+/// The key of the kind that a level is asked for with; nothing where there is none, as of a
+/// waistband, or where a file or a size asks for all.
+const kinds::KindKey* key_of(const std::string& level, const scenario::GarmentSpec& spec) {
+  if (!spec.file.empty() || !spec.size.empty()) return nullptr;
+  for (const kinds::KindKey& key : kinds::garment_kind(spec.kind).keys)
+    if (key.mobility && key.name == level) return &key;
+  return nullptr;
+}
+
+/// A level of the draft. What it makes tight by itself, as a waistband, is meant to press; what may
+/// be asked for and was not is what came out.
+StationEase level_ease(const std::string& level, double cut, const scenario::GarmentSpec& spec) {
+  const bool drafted = spec.file.empty() && spec.size.empty();
+  const kinds::KindKey* key = key_of(level, spec);
+  if (!key) return {level, cut, std::nullopt, drafted && cut < 0};
+  const auto wished = spec.fit.find(level);
+  return {level, cut, wished == spec.fit.end() ? key->usual : wished->second};
 }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 
-/// "trunk 40 %, upper_arm_L 30 %": the limbs that bear most of the force.
+/// "trunk 40 %, upper_arm_L 30 %": the limbs that bear most of the free force.
 std::string bearers(const maps::BodyLoad& load) {
   constexpr double kWorthTelling = 0.1;
   std::vector<std::string> told;
   for (const std::string& limb : maps::limb_names())
-    if (const double share = load.of_limb.at(limb) / load.normal_force; share > kWorthTelling)
+    if (const double share = load.free_of_limb.at(limb) / load.free_force(); share > kWorthTelling)
       told.push_back(limb + " " + percent(share));
   return join(told);
 }
@@ -58,12 +67,8 @@ std::vector<StationEase> station_eases(const CasePattern& pattern,
                                        const scenario::GarmentSpec& spec) {
   std::vector<StationEase> stations;
   for (const kinds::FitLevel& level : pattern.levels)
-    if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end()) {
-      std::optional<double> asked = asked_ease(level.name, spec);
-      // A level that the draft makes tight, as a waistband, is meant to press.
-      if (!asked && cut->second < 0) asked = cut->second;
-      stations.push_back({level.name, cut->second, asked});
-    }
+    if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end())
+      stations.push_back(level_ease(level.name, cut->second, spec));
   // Along trunk and arm, the tightest of each place.
   std::map<std::string, StationEase> tightest;
   for (const StationFit& s : pattern.fit_along) {
@@ -84,6 +89,7 @@ std::optional<StationEase> least_cut_ease(const std::vector<StationEase>& statio
 bool is_asked_loose(const std::vector<StationEase>& stations) {
   bool any = false;
   for (const StationEase& s : stations) {
+    if (s.drawn_in) return false;
     if (!s.asked) continue;
     if (*s.asked < kLooseEase) return false;
     any = true;
@@ -99,12 +105,11 @@ std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
       lines.push_back(printable(s.name) + ": " + percent(s.cut) + " of ease where " +
                       percent(*s.asked) + " was asked");
   if (!load || !is_asked_loose(stations) || !(load->weight > 0)) return lines;
-  const double free_force = load->normal_force - load->between_arm_and_trunk;
-  if (free_force > kLooseWeights * load->weight)
+  if (load->free_force() > kLooseWeights * load->weight)
     lines.push_back(fmt::format(
         "the garment was asked to be loose, but presses with {:.0f} times its weight, without what "
         "is squeezed between arms and trunk: {}",
-        free_force / load->weight, bearers(*load)));
+        load->free_force() / load->weight, bearers(*load)));
   return lines;
 }
 

@@ -13,6 +13,7 @@ struct StationEase {
   std::string name;             ///< "chest", "sleeve", "sleeve at the forearm", …
   double cut = 0;               ///< of the flat pieces on this body [–]
   std::optional<double> asked;  ///< [–]; absent: nobody asked for one there
+  bool drawn_in = false;        ///< tight by the draft itself, as a waistband is
 };
 
 /// All stations whose body girth is known: the levels of fit, and the tightest near each place
@@ -29,12 +30,12 @@ inline constexpr double kLooseEase = 0.05;
 /// Share of the asked ease below which a station counts as not cut as asked [–]: 15 % that come out
 /// as less than 10 %.
 inline constexpr double kCutShare = 2.0 / 3.0;
-/// Normal force in weights of the garment beyond which it is not loose [–]. Shirts of woven cotton
-/// that hang free of the arms press with 4 to 9 weights, knits with 3 to 7, shirts caught on the
-/// forearms with 20 and more (reference woman, edges of 10 to 20 mm).
+/// Normal force in weights of the garment beyond which it is not loose [–]. Of loose
+/// shirts what is free of the arms is 2 to 5 weights at 10 mm and up to 10 at 20 mm edges; shirts
+/// caught on the forearms press with 20 and more.
 inline constexpr double kLooseWeights = 10;
 
-/// Whether all eases that were asked for, at least one, are loose.
+/// Whether all eases that were asked for, at least one, are loose, and nothing is drawn in.
 bool is_asked_loose(const std::vector<StationEase>& stations);
 
 /// In words: stations that are not cut as they were asked for, and a garment that was asked to be

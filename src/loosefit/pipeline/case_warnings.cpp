@@ -143,9 +143,10 @@ std::vector<std::string> state_warnings(const CaseResult& result) {
 std::vector<std::string> case_warnings(const CaseResult& result) {
   Lines all = moved_board_warnings(result);
   add(all, "body", result.body.warnings);
+  add(all, "body", result.body.dressing_warnings);
   Lines of_donnings = result.wear.warnings;
   std::erase_if(of_donnings, [&](const std::string& text) {
-    return std::ranges::count(result.body.warnings, text) > 0;
+    return std::ranges::count(result.body.dressing_warnings, text) > 0;
   });
   add(all, "body", of_donnings);
   add_garments(all, result);

@@ -87,9 +87,9 @@ std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const bod
 }
 
 CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference) {
-  if (!state.certificate().settled()) return state;
+  if (!state.draped()) return state;
   state.drapes = check_worn(std::move(state.drapes), body, reference);
-  if (const drape::Certificate c = state.certificate(); !c.worn())
+  if (const drape::Certificate c = state.certificate(); c.settled() && !c.worn())
     state.left_out = "not worn: " + join(c.worn_reasons, "; ");
   return state;
 }

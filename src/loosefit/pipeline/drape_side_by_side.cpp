@@ -1,7 +1,9 @@
 #include "loosefit/pipeline/drape_side_by_side.h"
 
 #include <algorithm>
+#include <new>
 
+#include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/side_by_side.h"
 
@@ -23,7 +25,17 @@ void drape_side_by_side(const std::vector<DrapeJob>& jobs, int at_once, Progress
   const int sharing = std::max(1, std::min(at_once, static_cast<int>(jobs.size())));
   std::vector<SideJob> timed;
   for (const DrapeJob& job : jobs)
-    timed.push_back({job.name, [&job, sharing](Progress& own) { job.drape(sharing, own); }});
+    timed.push_back({job.name, [&job, sharing](Progress& own) {
+                       try {
+                         job.drape(sharing, own);
+                       } catch (const Cancelled&) {
+                         throw;
+                       } catch (const Error& error) {
+                         job.failed(error.what());
+                       } catch (const std::bad_alloc&) {
+                         job.failed("not enough memory");
+                       }
+                     }});
   side_by_side(timed, at_once, progress);
 }
 

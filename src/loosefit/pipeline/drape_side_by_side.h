@@ -16,9 +16,12 @@ struct DrapeJob {
   std::string name;  ///< one or two words, for the progress
   /// `sharing`: how many drapes share the threads, so that one gets as many times the time budget.
   std::function<void(int sharing, Progress& progress)> drape;
+  /// Told why it could not be draped: what others have made in an hour is not lost for it.
+  std::function<void(const std::string& why)> failed;
 };
 
-/// Makes all of them, `at_once` (≥ 1) at a time. \throws as side_by_side.
+/// Makes all of them, `at_once` (≥ 1) at a time. What one throws, but for Cancelled and faults of
+/// the program, is told to its `failed`. \throws as side_by_side.
 void drape_side_by_side(const std::vector<DrapeJob>& jobs, int at_once, Progress& progress);
 
 }  // namespace loosefit::pipeline

@@ -54,15 +54,22 @@ using DrapeTask = std::function<Task(Task, int sharing, Progress&)>;
 std::vector<Task> drape_all(const Start& start, std::vector<Task> tasks, Progress& progress,
                             const DrapeTask& drape) {
   std::vector<DrapeJob> jobs;
-  for (Task& task : tasks)
-    jobs.push_back({start.shown_name(task.state), [&](int sharing, Progress& own) {
+  for (Task& task : tasks) {
+    const StateId id = task.state.id;
+    jobs.push_back({start.shown_name(task.state),
+                    [&](int sharing, Progress& own) {
                       const auto began = Clock::now();
                       task = drape(std::move(task), sharing, own);
                       task.state.seconds =
                           std::chrono::duration<double>(Clock::now() - began).count();
                       const body::PosedBody& body = start.body_in(task.state.id.posture);
                       task.state = check_worn(std::move(task.state), body, start.reference);
+                    },
+                    [&start, &task, id](const std::string& why) {
+                      task = {start.undraped(id), nullptr};
+                      task.state.left_out = "could not be draped: " + why;
                     }});
+  }
   drape_side_by_side(jobs, start.at_once, progress);
   return tasks;
 }
@@ -185,7 +192,8 @@ CaseWear drape_states(const CaseResult& reference, std::shared_ptr<drape::DrapeS
     progress.stage("postures");
     tasks = drape_postures(start, std::move(first), progress);
     // Further donnings go the same way.
-    for (Task& task : tasks) wearers[task.state.id.posture].person = std::move(task.person);
+    for (Task& task : tasks)
+      if (task.person) wearers[task.state.id.posture].person = std::move(task.person);
   }
   if (donnings) {
     progress.stage("donnings");

@@ -11,8 +11,8 @@ namespace loosefit::pipeline {
 /// have been put on in `first`, follow their wearer through the other postures; then each further
 /// donning puts them on from its own start and goes through all postures. States need nothing from
 /// each other, so they are draped side by side, `at_once` at a time; unless the time budget ends
-/// one, the bits do not depend on how many. Does not throw when one fails to settle: that state
-/// says why and does not count. Without states when the reference state is not settled and worn.
+/// one, the bits do not depend on how many. Does not throw when one fails to settle or cannot be
+/// draped: that state says why and does not count. Without states when the reference state is not settled and worn.
 CaseWear drape_states(const CaseResult& reference, std::shared_ptr<drape::DrapeSession> first,
                       int at_once, Progress& progress);
 

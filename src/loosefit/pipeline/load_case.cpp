@@ -14,6 +14,7 @@
 #include "loosefit/pipeline/case_sites.h"
 #include "loosefit/pipeline/case_warnings.h"
 #include "loosefit/pipeline/check_worn.h"
+#include "loosefit/pipeline/draped_from.h"
 #include "loosefit/pipeline/map_case.h"
 #include "loosefit/pipeline/prepare_case.h"
 #include "loosefit/pipeline/recall_summary.h"
@@ -23,12 +24,21 @@
 namespace loosefit::pipeline {
 namespace {
 
-constexpr double kSameSkin = 1e-5;  ///< round-off of another processor, less than a map shows [m]
+constexpr double kSamePlace = 1e-6;  ///< round-off of another processor, in the pattern [m]
+constexpr double kSameSkin = 1e-5;   ///< round-off of another processor, less than a map shows [m]
+
+/// Whether corners of meshes of the same triangles have the same places in the pattern.
+bool lie_alike(const garment::Garment& a, const garment::Garment& b) {
+  for (std::size_t t = 0; t < a.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (!((a.triangle_uv[t][k] - b.triangle_uv[t][k]).norm() <= kSamePlace)) return false;
+  return true;
+}
 
 /// The drape of a file, if it is of this garment.
 drape::Drape read_drape(const std::filesystem::path& path, const garment::Garment& garment) {
   io::DrapeFile file = io::read_drape_vtp(path);
-  if (file.garment.triangles != garment.triangles)
+  if (file.garment.triangles != garment.triangles || !lie_alike(file.garment, garment))
     throw InvalidInput({path.string(), 0, ""}, "another garment",
                        "the mesh that scenario.toml of the run makes with this version",
                        kMakeAgain);
@@ -93,6 +103,17 @@ CaseWear recall_wear(const std::filesystem::path& folder, const CaseResult& refe
   return wear;
 }
 
+void take_recalled(RecalledState recalled, CaseState& state) {
+  state.seconds = recalled.seconds;
+  if (!state.draped()) {
+    if (!recalled.left_out.empty()) state.left_out = std::move(recalled.left_out);
+    return;
+  }
+  drape::Drape& drape = state.drapes.back();
+  drape.report.parts = std::move(recalled.parts);
+  if (!drape.certificate.settled()) drape.unsettled = std::move(recalled.unsettled);
+}
+
 }  // namespace
 
 CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
@@ -112,12 +133,17 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
 
     // What only the drapes of the run could tell.
     RecalledSummary recalled = recall_summary(folder, result);
+    check_draped_from(folder / "scenario.toml", recalled.draped_from, result.scenario);
     for (const StageClock::Entry& entry : recalled.seconds) result.seconds.push_back(entry);
-    result.studied().drape.report = std::move(recalled.report);
+    drape::Drape& drape = result.studied().drape;
+    drape.report = std::move(recalled.report);
+    if (!drape.certificate.settled()) drape.unsettled = std::move(recalled.unsettled);
     result.body.movements = std::move(recalled.movements);
+    result.body.dressing_warnings = std::move(recalled.dressing_warnings);
     result.repeats = std::move(recalled.repeats);
     for (std::size_t s = 0; s < result.wear.states.size(); ++s)
-      result.wear.states[s].seconds = recalled.state_seconds[s];
+      take_recalled(std::move(recalled.states[s]), result.wear.states[s]);
+    result.wear.warnings = std::move(recalled.donning_warnings);
     return result;
   } catch (const InvalidInput& error) {
     throw io::in_scenario(error, scenario);

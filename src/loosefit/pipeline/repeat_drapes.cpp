@@ -115,8 +115,13 @@ CaseRepeats repeat_drapes(const CaseResult& result, int at_once, Progress& progr
     made.front().samples = samples_of(result.studied().maps.maps, result.sites);
   std::vector<DrapeJob> jobs;
   for (int repeat = 1; repeat < repeats; ++repeat)
-    jobs.push_back({fmt::format("repeat {}", repeat + 1), [&, repeat](int sharing, Progress& own) {
+    jobs.push_back({fmt::format("repeat {}", repeat + 1),
+                    [&, repeat](int sharing, Progress& own) {
                       made[repeat] = drape_again(result, repeat, sharing, own);
+                    },
+                    [&, repeat](const std::string& why) {
+                      made[repeat].warnings = {
+                          fmt::format("repeat {} could not be draped: {}", repeat + 1, why)};
                     }});
   drape_side_by_side(jobs, at_once, progress);
   return gathered(made);

@@ -10,6 +10,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/pipeline/case_ease.h"
+#include "loosefit/pipeline/draped_from.h"
 #include "loosefit/pipeline/lines_json.h"
 #include "loosefit/pipeline/wear_states.h"
 
@@ -229,6 +230,7 @@ Json parts_json(const std::vector<drape::PartWork>& parts) {
     json.back()["part"] = part.part;
     json.back()["level"] = part.level + 1;
     json.back()["vertices"] = part.vertices;
+    json.back()["start"] = part.start + 1;
   }
   return json;
 }
@@ -252,6 +254,7 @@ Json settle_json(const drape::SettleReport& report) {
           {"contacts_self", report.contacts_self},
           {"held_off_triangles", report.held_off_triangles},
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset},
+          {"coarsened_field_mm", 1e3 * report.coarsened_field},
           {"bearing_area_m2", report.bearing_area},
           {"bearing_distance_mm",
            report.bearing_distance ? Json(1e3 * *report.bearing_distance) : Json(nullptr)}};
@@ -325,7 +328,7 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"donning", s.id.donning + 1},
         {"counts", s.counts()},
         {"settled", c.settled()},
-        {"worn", c.worn()},
+        {"worn", s.draped() ? Json(c.worn()) : Json(nullptr)},
         {"worn_reasons", c.worn_reasons},
         {"residual", c.residual},
         {"residual_max", c.residual_max},
@@ -343,6 +346,7 @@ void add_wear(const CaseWear& wear, Json& json) {
     if (!report.parts.empty()) entry["parts"] = parts_json(report.parts);
     json["states"].push_back(std::move(entry));
   }
+  json["donning_warnings"] = wear.warnings;
 }
 
 Json certificate_json(const CaseResult& result) {
@@ -380,6 +384,7 @@ std::string summary_json(const CaseResult& result) {
   json["peak_memory_mb"] = result.peak_memory_mb;
   json["settle"] = settle_json(studied.drape.report);
   json["settle"]["movements"] = movements_json(result.body.movements);
+  json["settle"]["warnings"] = result.body.dressing_warnings;
   if (studied.drape.unsettled)
     json["settle"]["unsettled"] = unsettled_json(*studied.drape.unsettled);
 
@@ -418,6 +423,7 @@ std::string summary_json(const CaseResult& result) {
   // What made them.
   json["warnings"] = result.warnings;
   for (const auto& [library, number] : versions()) json["versions"][library] = number;
+  json["draped_from"] = draped_from(result.scenario);
   json["scenario_sha256"] = sha256_hex(io::scenario_toml(result.scenario));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

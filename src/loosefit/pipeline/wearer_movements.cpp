@@ -16,6 +16,7 @@ constexpr double kArmRaise = radians(45);  ///< forward of where the arms are
 /// Raised arms are at least so far aside: it opens the armpits, so that the cloth between arm and
 /// trunk comes free and can go along.
 constexpr double kArmsAside = radians(25);
+constexpr double kStraightUp = radians(180);
 constexpr double kRaised = radians(60);  ///< arms that are up already
 constexpr double kBreath = 0.02;         ///< of the girth of the chest
 constexpr double kFidget = 0.2;          ///< share of friction that is left
@@ -26,7 +27,7 @@ drape::Movement arm_raise(const std::shared_ptr<flesh::SoftBody>& person,
   body::Posture up = stands;
   const bool hang = stands.arm_flexion < kRaised;
   if (hang) {
-    up.arm_flexion += size * kArmRaise;
+    up.arm_flexion = std::min(up.arm_flexion + size * kArmRaise, kStraightUp);
     up.arm_abduction = std::max(up.arm_abduction, kArmsAside);
   } else {
     up.arm_flexion -= std::min(size, 1.0) * kRaised;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/base/error.h"
 #include "loosefit/geometry/mesh_topology.h"
 
 namespace loosefit::validate {
@@ -41,7 +42,9 @@ HemHeights hem_means(const std::vector<int>& hem, const std::vector<Vec3>& x,
     for (int k = 0; k < kHemPlaces; ++k)
       if (off.dot(places[k]) > std::cos(kSector)) means[k] += value[v], ++counts[k];
   }
-  for (int k = 0; k < kHemPlaces; ++k) means[k] /= std::max(1, counts[k]);
+  if (*std::ranges::min_element(counts) == 0)
+    throw SolverFailure("the garment has no hem round the trunk");
+  for (int k = 0; k < kHemPlaces; ++k) means[k] /= counts[k];
   return means;
 }
 

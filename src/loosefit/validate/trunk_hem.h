@@ -15,8 +15,9 @@ std::vector<int> trunk_hem(const garment::Garment& mesh, const std::vector<Vec3>
 enum HemPlace { hem_right, hem_front, hem_back, hem_left, kHemPlaces };
 using HemHeights = std::array<double, kHemPlaces>;
 
-/// Mean of `value` over the vertices of the hem at each place; 0 at a place without any. `x`:
-/// positions [m] that tell the places, the wearer looking along −y. `value`: of every vertex.
+/// Mean of `value` over the vertices of the hem at each place. `x`: positions [m] that tell the
+/// places, the wearer looking along −y. `value`: of every vertex. \throws SolverFailure where a
+/// place has no hem.
 HemHeights hem_means(const std::vector<int>& hem, const std::vector<Vec3>& x,
                      const std::vector<double>& value);
 

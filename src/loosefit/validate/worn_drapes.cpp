@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/drape/worn.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pipeline/run_case.h"
 
@@ -53,6 +54,14 @@ pipeline::CaseResult wear(const scenario::Scenario& scenario, const std::string&
     throw SolverFailure(who + (c.settled() ? " is not worn: " + join(c.worn_reasons, "; ")
                                            : " did not settle: " + c.stop_reason));
   return result;
+}
+
+void require_worn(const garment::Garment& mesh, const pattern::Pattern& pattern,
+                  const std::vector<Vec3>& positions, const body::PosedBody& body,
+                  const std::string& who) {
+  const std::vector<std::string> reasons =
+      drape::why_not_worn(mesh, pattern, positions, body, false);
+  if (!reasons.empty()) throw SolverFailure(who + ": not worn: " + join(reasons, "; "));
 }
 
 std::vector<WornDrape> worn_drapes(const pipeline::CaseResult& result) {

@@ -34,6 +34,11 @@ scenario::Scenario worn_scenario(const std::string& body, const std::string& gar
 pipeline::CaseResult wear(const scenario::Scenario& scenario, const std::string& who,
                           Progress& progress);
 
+/// Of a garment that no study has put on. \throws SolverFailure, naming `who`, when it is not worn.
+void require_worn(const garment::Garment& mesh, const pattern::Pattern& pattern,
+                  const std::vector<Vec3>& positions, const body::PosedBody& body,
+                  const std::string& who);
+
 /// The donnings that settled and are worn, the reference first. Only of the reference posture.
 std::vector<WornDrape> worn_drapes(const pipeline::CaseResult& result);
 

@@ -28,7 +28,7 @@ Certificate certified(ClothState& state, const Stop& stop) {
 /// Goes back to a kept state and certifies it.
 Certificate take(ClothState& state, const ClothState::Kept& kept) {
   go_back(state, kept);
-  return certified(state, kept.stop.value_or(state.how_it_ended()));
+  return certified(state, state.how_it_ended());
 }
 
 constexpr double kMostOfArea = 0.97;  ///< that SettleReport::bearing_distance speaks of [–]
@@ -70,6 +70,8 @@ void go_back(ClothState& state, const ClothState::Kept& kept) {
   state.model->recall(kept.memory);
   state.model->set_friction_share(1);  // it may be loosened where time was up on the way
   state.report.held_off_triangles = kept.held_off_triangles;
+  state.times_cut = kept.times_cut;
+  state.went_back = kept.stop;
 }
 
 void measure_certificate(ClothState& state) {

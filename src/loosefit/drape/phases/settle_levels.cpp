@@ -64,7 +64,7 @@ void settle_coarse_levels(ClothState& state) {
     state.model->set_hardening(0);
     if (!state.must_stop()) state.settle({tuning.tolerance, tuning.iterations, tuning.first_dt});
     state.stick();
-    state.starts[state.start].handed_on.push_back({state.x, state.model->memory()});
+    state.handed_on[state.start].push_back({state.x, state.model->memory()});
     refine(state);
   }
 }

@@ -4,7 +4,7 @@
 namespace loosefit::drape {
 
 /// Settles each coarse level and hands it to the next finer one (prolongation) until the finest is
-/// there, not settled yet. Keeps in state.starts how each was handed on.
+/// there, not settled yet. Keeps in state.handed_on how each was handed on.
 void settle_coarse_levels(ClothState& state);
 
 /// The same on the way to another posture. Instead of being smoothed, the finer level gets back

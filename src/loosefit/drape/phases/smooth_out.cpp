@@ -32,9 +32,7 @@ void smooth_out(ClothState& state) {
   }
   state.attempts[RecoveryKind::nearer_to_rest] = 0;
   if (cuts_of(state.certificate) < cuts_of(before)) return;
-  state.x = std::move(kept->x);
-  state.model->recall(kept->memory);
-  state.report.held_off_triangles = kept->held_off_triangles;
+  go_back(state, *kept);
   state.last = outcome;
   measure_certificate(state);
 }

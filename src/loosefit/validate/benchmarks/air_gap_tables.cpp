@@ -6,6 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/progress_part.h"
 #include "loosefit/maps/air_gap.h"
+#include "loosefit/maps/fine_cloth.h"
 #include "loosefit/validate/air_gap_cells.h"
 #include "loosefit/validate/air_gap_table.h"
 #include "loosefit/validate/catalogue.h"
@@ -16,8 +17,9 @@
 namespace loosefit::validate {
 namespace {
 
-constexpr double kEdge = 0.014;  ///< [m]
-constexpr int kDonnings = 3;     ///< scans average three to six
+constexpr double kEdge = 0.014;         ///< [m]
+constexpr int kDonnings = 3;            ///< scans average three to six
+constexpr double kPartnerEdge = 0.005;  ///< of the triangles that look for partners [m]
 constexpr double kHundred = 100;
 
 /// Rows of one garment on one person are one run.
@@ -73,9 +75,12 @@ void add_cells(const Run& run, const pipeline::CaseResult& result, std::vector<A
     double gap = 0, contact = 0;
     for (const WornDrape& worn : drapes) {
       const std::vector<Vec3>& x = worn.drape.positions;
-      gap += 1e3 / n * maps::air_gap(worn.mesh, x, worn.worn, worn.half_thickness(), [&](int t) {
-                         return is_wanted(worn.worn.regions[worn.mesh.triangles[t][0]]);
-                       }).mean_gap();
+      const maps::FineCloth fine = maps::cut_finer(worn.mesh, x, worn.body, kPartnerEdge);
+      const double inside =
+          maps::air_gap(fine.garment, fine.positions, fine.worn, worn.half_thickness(), [&](int t) {
+            return is_wanted(fine.worn.regions[fine.garment.triangles[t][0]]);
+          }).mean_gap();
+      gap += 1e3 / n * (inside + 2 * worn.half_thickness());  // scans see the outer face
       const std::vector<body::Region>& regions = worn.body.regions();
       contact += kHundred / n *
                  maps::contact_share(
@@ -83,6 +88,9 @@ void add_cells(const Run& run, const pipeline::CaseResult& result, std::vector<A
                      1e-3 * row->g0.value_or(1), [&](int v) { return is_wanted(regions[v]); });
     }
     const std::string source = row->source + (row->table.empty() ? "" : " " + row->table);
+    if (!std::isfinite(gap) || !std::isfinite(contact))
+      throw SolverFailure(
+          fmt::format("{}: {} covers nothing of {}", source, row->garment, row->region));
     if (row->gap) cells.push_back({source, "gap", "mm", *row->gap, row->gap_sd.value_or(0), gap});
     if (row->contact)
       cells.push_back(

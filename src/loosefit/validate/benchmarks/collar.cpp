@@ -25,6 +25,7 @@ constexpr double kEdge = 0.014;  ///< [m]
 constexpr double kWeight =
     0.30;  ///< areal density that makes the shirt one of 200 to 300 g [kg/m²]
 constexpr double kWider = 0.010;  ///< of the neckline, to each side [m]
+constexpr double kLeastPeak = 1;  ///< [Pa]
 constexpr double kProbe = 0.012;  ///< radius over which pressure is read [m]
 constexpr double kNear = 0.035;   ///< of a landmark, where its peak is looked for [m]
 
@@ -77,6 +78,8 @@ Peaks peaks_of(const Shoulders& shoulders, double neck_ease, Progress& progress,
     throw SolverFailure(std::string(shoulders.name) +
                         " shoulders: it did not settle: " + drape.certificate.stop_reason);
   const garment::Garment& mesh = garments.back().mesh();
+  require_worn(mesh, garments.back().pattern.pattern, drape.positions, wearer,
+               std::string(shoulders.name) + " shoulders");
   mesh_text = fmt::format("{:g} mm edges, {} triangles", 1e3 * kEdge, mesh.triangles.size());
   const maps::PressureField field =
       maps::contact_pressure(mesh, drape, wearer, scenario.studied().material.material);
@@ -121,7 +124,9 @@ BenchmarkResult benchmark_collar(Effort, Progress& progress) {
       ProgressPart own(progress, part / 6.0, 1 / 6.0);
       ++part;
       const Peaks peaks = peaks_of(shoulders, wide ? wider : 0, own, mesh);
-      const double ratio = peaks.neck / std::max(peaks.shoulder, 1.0);
+      // Without pressure at both places nothing carries the shirt: no gate is met by that.
+      const bool carried = std::max(peaks.neck, peaks.shoulder) >= kLeastPeak;
+      const double ratio = carried ? peaks.neck / std::max(peaks.shoulder, kLeastPeak) : NAN;
       const std::string what = fmt::format(
           "AG10: {} shoulders, neckline {}: pressure at the neck over "
           "that at the shoulder point",

@@ -71,6 +71,8 @@ std::array<Lift, kRaises> lifts(const std::string& garment, Progress& progress,
     throw SolverFailure("the garment did not settle: " + standing.certificate.stop_reason);
   const garment::Garment& mesh = prepared.studied().mesh();
   mesh_text = fmt::format("{:g} mm edges, {} triangles", 1e3 * kEdge, mesh.triangles.size());
+  const pattern::Pattern& pattern = prepared.studied().pattern.pattern;
+  require_worn(mesh, pattern, standing.positions, prepared.body.body, "standing");
   const std::vector<int> hem = trunk_hem(mesh, standing.positions);
   const body::Posture from = scenario.body.posture;
   std::array<Lift, kRaises> all;
@@ -88,6 +90,8 @@ std::array<Lift, kRaises> lifts(const std::string& garment, Progress& progress,
     if (!drape.certificate.settled())
       throw SolverFailure(fmt::format("with the arm {} it did not settle: {}", kRaiseNames[r],
                                       drape.certificate.stop_reason));
+    require_worn(mesh, pattern, drape.positions, path(1),
+                 std::string("with the arm ") + kRaiseNames[r]);
     all[r] = lift_of(hem, standing.positions, drape.positions);
   }
   return all;

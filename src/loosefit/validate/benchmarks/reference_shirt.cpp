@@ -6,6 +6,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/progress_part.h"
 #include "loosefit/base/quantile.h"
+#include "loosefit/maps/body_load.h"
 #include "loosefit/validate/catalogue.h"
 #include "loosefit/validate/worn_drapes.h"
 
@@ -30,26 +31,10 @@ struct Compared {
   double maps::MapStatistics::*of;  ///< means; of what is of either sign, where means cancel, tails
   const char* statistic;
   double least;                                ///< floor of the denominator, in the map's unit
-  double median, worst;                        ///< gates; 0: only told
+  double median, worst;                        ///< gates
   double median_missed = 0, worst_missed = 0;  ///< known to miss by this share at most; 0: not
+  const char* why = nullptr;                   ///< it misses
 };
-const auto kMean = &maps::MapStatistics::area_mean;
-const auto kTail = &maps::MapStatistics::p95;
-const Compared kMaps[] = {
-    {"distance_mm", "distance", "mm", kMean, "means", 2, 0.10, 0.35, 0, 0},
-    {"angular_deviation_deg", "angular deviation", "°", kMean, "means", 3, 0.10, 0.25, 0, 0},
-    {"strain_warp", "yarn strain, warp", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.23,
-     0.5},
-    {"strain_weft", "yarn strain, weft", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.28,
-     2.9},
-    {"strain_max", "strain, largest principal", "", kMean, "means", 0.0005, 0.10, 0.35, 0.2, 1.4},
-    {"shear_angle_deg", "trellis shear", "°", kTail, "95th percentiles", 0.3, 0.10, 0.35, 0.27, 2},
-    {"gap_mm", "gap", "mm", kMean, "means", 2, 0, 0},
-    {"contact", "share of the cloth in contact", "", kMean, "means", 0.05, 0, 0},
-    // About the weight of the cloth on as much area.
-    {"pressure_kPa", "contact pressure", "kPa", kMean, "means", 0.001, 0, 0},
-    {"rotation_deg", "rotation against the body", "°", kMean, "means", 3, 0, 0}};
-
 const char* const kLocking =
     "flat triangles of 10 mm cannot fold as the cloth does at 5 mm and shear and stretch instead "
     "(locking). Laid along the shape of the 5 mm mesh they are compressed along the weft by 4.5 % "
@@ -61,6 +46,30 @@ const char* const kPresses =
     "flat triangles of 10 mm are stretched where the cloth would fold (locking), and what is "
     "stretched presses more: means of several drapes are 4.4 weights at 10 mm and 2.9 at 5 mm "
     "(docs/accuracy.md 2)";
+const char* const kTouches =
+    "the corners of a flat triangle that touches round skin stand off it, those of 10 mm edges "
+    "four times as far as those of 5 mm (h²κ/8). The sides touch little, a fold more or less is "
+    "all";
+const auto kMean = &maps::MapStatistics::area_mean;
+const auto kTail = &maps::MapStatistics::p95;
+const Compared kMaps[] = {
+    {"distance_mm", "distance", "mm", kMean, "means", 2, 0.10, 0.35, 0, 0},
+    {"angular_deviation_deg", "angular deviation", "°", kMean, "means", 3, 0.10, 0.25, 0, 0},
+    {"strain_warp", "yarn strain, warp", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.23,
+     0.5, kLocking},
+    {"strain_weft", "yarn strain, weft", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.28,
+     2.9, kLocking},
+    {"strain_max", "strain, largest principal", "", kMean, "means", 0.0005, 0.10, 0.35, 0.2, 1.4,
+     kLocking},
+    {"shear_angle_deg", "trellis shear", "°", kTail, "95th percentiles", 0.3, 0.10, 0.35, 0.27, 2,
+     kLocking},
+    {"gap_mm", "gap", "mm", kMean, "means", 2, 0.10, 0.35},
+    {"contact", "share of the cloth in contact", "", kMean, "means", 0.05, 0.10, 0.35, 0.16, 0.8,
+     kTouches},
+    // About the weight of the cloth on as much area.
+    {"pressure_kPa", "contact pressure", "kPa", kMean, "means", 0.001, 0.10, 0.35, 0.27, 5.2,
+     kPresses},
+    {"rotation_deg", "rotation against the body", "°", kMean, "means", 3, 0.10, 0.25}};
 
 pipeline::CaseResult run(double edge, Progress& progress) {
   scenario::Scenario s = worn_scenario(kBody, kGarment, edge, 1);
@@ -75,9 +84,11 @@ const pipeline::CaseMap& find(const pipeline::CaseResult& result, const std::str
   throw InvalidInput("the run made no map " + array);
 }
 
+/// With one reach on both meshes for what counts as squeezed.
 maps::BodyLoad load_of(const pipeline::CaseResult& result) {
-  if (!result.studied().maps.load) throw SolverFailure("the drape does not know its forces");
-  return *result.studied().maps.load;
+  const pipeline::CaseGarment& shirt = result.studied();
+  return maps::body_load(shirt.mesh(), shirt.drape, shirt.maps.worn, result.body.body,
+                         result.scenario.studied().material.material, kGravity, kEdge);
 }
 
 }  // namespace
@@ -89,14 +100,15 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
   const std::string mesh = fmt::format("{:g} mm edges, {} triangles; {:g} mm, {}", 1e3 * kEdge,
                                        coarse.studied().mesh().triangles.size(), 1e3 * kFine,
                                        fine.studied().mesh().triangles.size());
-  const auto add = [&](const std::string& what, double obtained, double limit, double missed) {
+  const auto add = [&](const std::string& what, double obtained, double limit, double missed,
+                       const char* why) {
     Finding f;
     f.what = what;
     f.obtained = obtained;
-    f.gate = limit > 0 ? Finding::Gate::absolute : Finding::Gate::reported;
+    f.gate = Finding::Gate::absolute;
     f.limit = limit;
     f.mesh = mesh;
-    if (missed > 0) f.known_miss = KnownMiss{missed, kLocking};
+    if (missed > 0) f.known_miss = KnownMiss{missed, why};
     result.findings.push_back(f);
   };
   for (const Compared& compared : kMaps) {
@@ -115,24 +127,23 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
     }
     add(fmt::format("{}: difference of the region {}, median of {} regions", compared.what,
                     compared.statistic, shares.size()),
-        quantile(shares, 0.5), compared.median, compared.median_missed);
+        median(shares), compared.median, compared.median_missed, compared.why);
     add(fmt::format("{}: the same, worst ({})", compared.what, worst_region), worst, compared.worst,
-        compared.worst_missed);
+        compared.worst_missed, compared.why);
     result.notes.push_back(fmt::format(
         "{}: {} of the whole shirt {:.4g} {} at {:g} mm, {:.4g} at {:g} mm.", compared.what,
         compared.of == kMean ? "mean" : "95th percentile", a.overall.*compared.of, compared.unit,
         1e3 * kEdge, b.overall.*compared.of, 1e3 * kFine));
   }
   const maps::BodyLoad here = load_of(coarse), there = load_of(fine);
-  const auto free = [](const maps::BodyLoad& load) {
-    return (load.normal_force - load.between_arm_and_trunk) / load.weight;
-  };
+  const auto free = [](const maps::BodyLoad& load) { return load.free_force() / load.weight; };
   Finding force;
   force.what = "total normal force over weight, share of that at 5 mm";
   force.expected = there.force_over_weight();
   force.obtained = here.force_over_weight();
   force.limit = 0.15;
   force.mesh = mesh;
+  force.known_miss = KnownMiss{0.85, kPresses};
   result.findings.push_back(force);
   result.findings.push_back({"the same, of it squeezed between arms and trunk", "",
                              there.between_arm_and_trunk / there.weight,
@@ -147,10 +158,7 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
   result.notes.push_back(
       "Single drapes: folds are not unique, and part of a difference is another fold "
       "(docs/accuracy.md 3 has the spread). Differences are shares of the figure at 5 mm, of 2 mm, "
-      "3°, 0.05 % of strain, 0.3° of shear, a twentieth in contact and 1 Pa at least. No band has "
-      "been set for gap, contact, pressure and rotation by region. The total force agrees as two "
-      "differences cancel: at 10 mm stretched cloth presses more, and less is squeezed between "
-      "arms and trunk.");
+      "3°, 0.05 % of strain, 0.3° of shear, a twentieth in contact and 1 Pa at least.");
   return result;
 }
 

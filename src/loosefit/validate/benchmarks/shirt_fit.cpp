@@ -53,9 +53,9 @@ const char* const kBackHangs =
     "slope by 0.34 to 0.37, and 3 to 4 mm over it by 0.41. On six women, same edges, all is within "
     "7 mm";
 const char* const kPeeling =
-    "cloth peels off within a triangle of which a corner is pressed, and between its corners a "
-    "flat triangle stands off a round limb by up to the height of its chord, h²κ/8: 0.4 mm at "
-    "10 mm edges on a forearm, 0.8 mm at 14 mm "
+    "cloth peels off within a triangle of which a corner is pressed, and the corners of a flat "
+    "triangle that touches a round limb stand off it by up to the height of its chord, h²κ/8: "
+    "0.4 mm at 10 mm edges on a forearm, 0.8 mm at 14 mm "
     "(docs/decisions/0013-contact-sees-the-skin.md)";
 
 /// Mean height of the hem at its places over the donnings [m].
@@ -137,7 +137,7 @@ BenchmarkResult benchmark_shirt_fit(Effort, Progress& progress) {
     if (!load)
       throw SolverFailure(fmt::format("{}: the drape does not know its forces", wearer.who));
     add("normal force over weight, without what is squeezed between arm and trunk", "",
-        (load->normal_force - load->between_arm_and_trunk) / load->weight, 0, kMostWeights);
+        load->free_force() / load->weight, 0, kMostWeights);
     const auto stations =
         pipeline::station_eases(worn.studied().pattern, worn.scenario.studied().spec);
     const auto least = pipeline::least_cut_ease(stations);
