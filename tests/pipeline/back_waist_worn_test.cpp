@@ -16,9 +16,9 @@ double gap_behind_waist(const char* back_waist) {
                   "pattern = \"long-sleeve-shirt\"\n"
                   "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, back_waist = ") +
       back_waist + " }\n[material]\nname = \"paper-cotton\"\n[simulation]\nedge_length = 0.02\n");
-  const body::Body& body = *result.body.body;
-  const Vec3 waist = body.landmarks.at("back_waist");
-  const geometry::ClosestPointTree skin(body.surface);
+  const body::PosedBody& body = result.body.body;
+  const Vec3 waist = body->landmarks.at("back_waist");
+  const geometry::ClosestPointTree skin(body->surface);
   double sum = 0;
   int count = 0;
   for (const Vec3& p : result.studied().drape.positions)
