@@ -63,7 +63,7 @@ std::vector<KindKey> own_keys() {
 
 std::vector<KindKey> keys() {
   std::vector<KindKey> list = roomy_shirt().keys;
-  // A hood has no neckband, and a hem that is sewn to a band has no middle seam.
+  // A hood has no neckband, and a hem that is sewn to a band is in one part.
   std::erase_if(list, [](const KindKey& key) {
     return key.name.starts_with("neckband_") || key.name == "back_waist";
   });

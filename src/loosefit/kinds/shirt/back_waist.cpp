@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "loosefit/pattern/outline.h"
 
@@ -9,7 +10,7 @@ namespace loosefit::kinds {
 namespace {
 
 constexpr double kLeastBackIntake = 0.005;  // less nobody sews [m]
-constexpr double kMouthShare = 0.2, kLeastMouth = 0.004;
+constexpr double kMouthShare = 0.2, kLeastMouth = 0.008;
 constexpr double kHandle = 0.4;  // of a curve, of its height
 
 /// x of a leg, which has no turning back, at a level that it crosses.
@@ -33,41 +34,49 @@ double back_hem_mouth(double intake) {
   return intake > 0 ? std::max(kMouthShare * intake, kLeastMouth) : 0.0;
 }
 
-pattern::CurveChain draft_back_seam(const BackSeam& s) {
-  const Vec2 hem(s.at_hem, s.hem_y), waist(s.at_waist, s.waist_y),
-      tip(0, s.underarm_y - kBackTipDrop);
+pattern::CurveChain draft_back_dart(const BackDart& d, bool outer) {
+  const double side = outer ? 1 : -1;
+  const Vec2 hem(d.middle + side * d.at_hem, d.hem_y),
+      waist(d.middle + side * d.at_waist, d.waist_y), tip(d.middle, d.tip_y);
   const Vec2 below(0, kHandle * (waist.y() - hem.y())), above(0, kHandle * (tip.y() - waist.y()));
-  pattern::CurveChain seam;
-  seam.start = hem;
-  seam.cubic_to(hem + below, waist - below, waist).cubic_to(waist + above, tip - above, tip);
-  return seam;
+  pattern::CurveChain leg;
+  leg.start = hem;
+  leg.cubic_to(hem + below, waist - below, waist).cubic_to(waist + above, tip - above, tip);
+  return leg;
 }
 
-double back_seam_takes(const pattern::Panel& back, double y) {
-  const int left = pattern::find_edge_part(back, "back_seam_L"),
-            right = pattern::find_edge_part(back, "back_seam_R");
-  if (left < 0 || right < 0) return 0;
-  const pattern::EdgePath a(back, left), b(back, right);
-  const auto [low, high] = std::minmax(a.at(0).y(), a.at(1).y());
-  return y <= low || y >= high ? 0.0 : std::abs(leg_at(a, y) - leg_at(b, y));
+double back_darts_take(const pattern::Panel& back, double y) {
+  double taken = 0;
+  for (const std::string dart : {"back_dart_L", "back_dart_R"}) {
+    const int inner = pattern::find_edge_part(back, dart + "_inner"),
+              outer = pattern::find_edge_part(back, dart + "_outer");
+    if (inner < 0 || outer < 0) continue;
+    const pattern::EdgePath a(back, inner), b(back, outer);
+    const auto [low, high] = std::minmax(a.at(0).y(), a.at(1).y());
+    if (y > low && y < high) taken += std::abs(leg_at(a, y) - leg_at(b, y));
+  }
+  return taken;
 }
 
 std::optional<BodyHem> body_hem(const pattern::Panel& piece) {
-  if (const int e = pattern::find_edge_part(piece, "hem"); e >= 0) {
-    const pattern::EdgePath hem(piece, e);
-    return BodyHem{(hem.at(1) - hem.at(0)).norm(),
-                   std::max({hem.at(0).y(), hem.at(0.5).y(), hem.at(1).y()})};
+  const int e = pattern::find_edge_part(piece, "hem");
+  if (e < 0) return std::nullopt;
+  const pattern::EdgePath hem(piece, e);
+  Vec2 start = hem.at(0), end = hem.at(1);
+  BodyHem found{0, std::max({start.y(), hem.at(0.5).y(), end.y()})};
+  double mouths = 0;
+  // Parts beyond darts, of which one begins or ends at a side: each moves an end of the hem there.
+  for (const char* part : {"hem_L", "hem_R"}) {
+    const int beyond = pattern::find_edge_part(piece, part);
+    if (beyond < 0) continue;
+    const pattern::EdgePath path(piece, beyond);
+    const double after = (path.at(0) - end).norm(), before = (path.at(1) - start).norm();
+    mouths += std::min(after, before);
+    (after < before ? end : start) = path.at(after < before ? 1 : 0);
+    found.highest = std::max({found.highest, path.at(0).y(), path.at(1).y()});
   }
-  const int left = pattern::find_edge_part(piece, "hem_L"),
-            right = pattern::find_edge_part(piece, "hem_R");
-  if (left < 0 || right < 0) return std::nullopt;
-  const pattern::EdgePath a(piece, left), b(piece, right);
-  // Each part has one end at a side, and one at the mouth, where they are nearest to each other.
-  const bool mouth_ends_a = (a.at(1) - b.at(0)).norm() < (a.at(0) - b.at(1)).norm();
-  const Vec2 side_a = a.at(mouth_ends_a ? 0 : 1), mouth_a = a.at(mouth_ends_a ? 1 : 0),
-             side_b = b.at(mouth_ends_a ? 1 : 0), mouth_b = b.at(mouth_ends_a ? 0 : 1);
-  return BodyHem{(side_a - side_b).norm() - (mouth_a - mouth_b).norm(),
-                 std::max({side_a.y(), mouth_a.y(), side_b.y(), mouth_b.y()})};
+  found.girth = (end - start).norm() - mouths;
+  return found;
 }
 
 }  // namespace loosefit::kinds

@@ -43,14 +43,17 @@ void lay_seam(dress::PanelOutline& panel, const garment::Garment& g, const std::
 void lay_torso(dress::PanelOutline& panel, const garment::Garment& g, const std::string& part,
                const ShirtFrame& frame, const std::vector<Vec2>& neck) {
   const auto &l = frame.left, &r = frame.right;
-  // A seam in the middle of the back parts the hem; its legs lie inside the piece as those of a
-  // dart.
-  const bool parted = g.find_part(part, "hem_L") != nullptr;
-  const std::string hem_l = parted ? "hem_L" : "hem", hem_r = parted ? "hem_R" : "hem";
-  if (parted) {
-    const Vec2 middle = 0.5 * (l.hem + r.hem);
-    panel.lay(hem_l, lowest_part(g, part, "side_L"), {l.hem, middle});
-    panel.lay(hem_r, lowest_part(g, part, "side_R"), {r.hem, middle});
+  // Waist darts of the back part the hem; their legs lie inside the piece as those of others.
+  const auto *beyond = g.find_part(part, "hem_L"), *between = g.find_part(part, "hem");
+  const std::string hem_l = beyond ? "hem_L" : "hem", hem_r = beyond ? "hem_R" : "hem";
+  if (beyond && between) {
+    const double aside = static_cast<double>(beyond->vertices.size() - 1),
+                 middle = static_cast<double>(between->vertices.size() - 1);
+    const Vec2 in = aside / (2 * aside + middle) * (r.hem - l.hem);
+    const Vec2 dart_l = l.hem + in, dart_r = r.hem - in;
+    panel.lay(hem_l, lowest_part(g, part, "side_L"), {l.hem, dart_l});
+    panel.lay(hem_r, lowest_part(g, part, "side_R"), {r.hem, dart_r});
+    panel.lay("hem", hem_l, {dart_l, dart_r});
   } else {
     panel.lay("hem", lowest_part(g, part, "side_L"), {l.hem, r.hem});
   }

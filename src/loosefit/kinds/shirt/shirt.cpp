@@ -60,8 +60,8 @@ std::vector<KindKey> keys(const ShirtFit& usual) {
        "share of the length that the front needs over the bust, taken up in darts at the sides; "
        "below 12 mm no dart is cut"},
       {"back_waist", usual.back_waist, 0, 0.06, "metres",
-       "taken in at the waist by a seam up the middle of the back; a girth that waist asks for is "
-       "kept; below 5 mm there is no seam"},
+       "taken in at the waist, in all, by two darts of the back below the shoulder blades; a girth "
+       "that waist asks for is kept; below 5 mm there are none"},
       {"elbow_bend", usual.elbow_bend, 0, 40, "degrees",
        "bend of the arm that the sleeve is cut for, by a dart in its back at the elbow"},
       {"neckband_width", usual.neckband, 0, 0.08, "metres",

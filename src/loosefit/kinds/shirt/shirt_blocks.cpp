@@ -9,6 +9,7 @@ namespace loosefit::kinds {
 
 namespace {
 
+constexpr double kBackDartPlace = 0.5;  ///< of the half width between the armholes
 constexpr double kMostFullness = 0.05;  ///< front_fullness that is followed, of the chest
 
 /// Quarter of a neck seam, from the centre to the shoulder seam, which it meets at a right angle:
@@ -56,6 +57,41 @@ SideAtWaist side_at_waist(const TorsoLevels& l, double forward) {
   const bool between = share > 0 && share < 1;
   const double width = l.waist_fit ? (1 + *l.waist_fit) * l.waist / 4 + forward : needed;
   return {share, width + taken, l.waist_fit || (between && needed > straight - taken)};
+}
+
+/// Length of a hem from the side up to x = `at`, which it crosses once.
+double length_in_to(const pattern::CurveChain& hem, double at) {
+  double low = 0, high = hem.length();
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (hem.cut(middle).first.end().x() > at ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Cuts a dart into half a back at x = `middle`. The hem is that of the sewn back, drawn apart by
+/// the mouth.
+void take_back_dart(TorsoHalf& back, const TorsoLevels& l, double middle) {
+  const double mouth = 0.5 * l.back_mouth;
+  const Vec2 side = back.side.end();
+  const pattern::CurveChain closed = draft_hem(side - Vec2(mouth, 0), l.hem_y);
+  const auto [beyond, within] = closed.cut(length_in_to(closed, middle - 0.5 * mouth));
+  back.hem = beyond;
+  back.hem.start.x() += mouth;
+  for (Vec2& k : back.hem.knots) k.x() += mouth;
+  for (pattern::EdgeCurve& curve : back.hem.curves)
+    for (Vec2& c : curve.control) c.x() += mouth;
+  back.hem_middle = within;
+  const BackDart dart = {.middle = within.start.x() + 0.5 * mouth,
+                         .tip_y = l.underarm_y - kBackTipDrop,
+                         .waist_y = l.waist_y,
+                         .hem_y = within.start.y(),
+                         .at_waist = 0.25 * back_opening_at_waist(l),
+                         .at_hem = 0.5 * mouth};
+  back.back_dart_outer = draft_back_dart(dart, true);
+  back.back_dart_outer.start = back.hem.end();
+  back.back_dart_inner = draft_back_dart(dart, false).reversed();
+  back.back_dart_inner.knots.back() = within.start;
 }
 
 }  // namespace
@@ -186,25 +222,18 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                 underarm);
   half.side = draft_side(levels, front);
   // The way down over bust or belly is longer than over the back, and midway at the sides.
-  const double centre = front ? 0.0 : 0.5 * levels.back_mouth;
-  half.hem = draft_hem(half.side.end(), levels.hem_y - (front ? m.front_balance : 0.0), centre);
-  if (!front && levels.back_intake > 0)
-    half.back_seam = draft_back_seam({.underarm_y = y_underarm,
-                                      .waist_y = levels.waist_y,
-                                      .hem_y = levels.hem_y,
-                                      .at_waist = 0.5 * back_opening_at_waist(levels),
-                                      .at_hem = centre});
+  half.hem = draft_hem(half.side.end(), levels.hem_y - (front ? m.front_balance : 0.0));
+  if (!front && levels.back_intake > 0) take_back_dart(half, levels, kBackDartPlace * pitch.x());
   return half;
 }
 
-pattern::CurveChain draft_hem(const Vec2& side, double centre_level, double centre) {
+pattern::CurveChain draft_hem(const Vec2& side, double centre_level) {
   pattern::CurveChain hem;
   hem.start = side;
   if (centre_level == side.y())
-    hem.line_to({centre, centre_level});
+    hem.line_to({0, centre_level});
   else
-    hem.cubic_to({0.65 * side.x(), side.y()}, {0.55 * side.x(), centre_level},
-                 {centre, centre_level});
+    hem.cubic_to({0.65 * side.x(), side.y()}, {0.55 * side.x(), centre_level}, {0, centre_level});
   return hem;
 }
 

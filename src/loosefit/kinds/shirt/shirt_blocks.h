@@ -15,8 +15,10 @@ struct TorsoHalf {
   pattern::CurveChain side;      ///< underarm → hem, or to where it is cut for a dart
   pattern::CurveChain dart_above, dart_below;  ///< of a dart: side → tip, tip → side; else empty
   pattern::CurveChain side_below;              ///< below the cut → hem; empty without one
-  pattern::CurveChain hem;                     ///< side → centre, or to the seam there
-  pattern::CurveChain back_seam;               ///< of a shaped back: hem → tip; else empty
+  pattern::CurveChain hem;                     ///< side → centre, or to a dart in it
+  /// Of a back with waist darts (back_waist.h): hem → tip, tip → hem, and from there the rest of
+  /// the hem → centre, whose first part ends at the dart; else empty.
+  pattern::CurveChain back_dart_outer, back_dart_inner, hem_middle;
   double shoulder_x = 0, armhole_depth = 0;
 };
 
@@ -60,7 +62,7 @@ struct TorsoLevels {
   double front_fullness = 0;                      ///< as ShirtMeasures
   double underarm_y = 0, waist_y = 0, hem_y = 0;  ///< [m], upwards
   double side_drop = 0;  ///< by which the side seams end below the level of the hem [m]
-  /// What a seam in the middle of the back takes in at waist and hem (back_waist.h) [m].
+  /// What darts of the back take in at waist and hem (back_waist.h) [m].
   double back_intake = 0, back_mouth = 0;
 };
 /// How far the sides of the front lie beyond a quarter of the girth, and those of the back inside
@@ -71,16 +73,16 @@ double side_shift(const TorsoLevels& levels, bool front);
 /// Side seam of half a torso piece, underarm → hem: straight, or through the asked girth of the
 /// waist, or round a belly that a straight seam leaves less room than was asked for above and
 /// below. It has the girth of the hem from its level down to its end. Girths are those of the sewn
-/// shirt: of what is taken in in the middle of the back either half gives back a quarter at the hem
-/// and at a waist that is asked for or needed.
+/// shirt: of what darts of the back take in either half gives back a quarter at the hem and at a
+/// waist that is asked for or needed.
 pattern::CurveChain draft_side(const TorsoLevels& levels, bool front);
 
-/// What is taken in in the middle of the back at the waist, so that the girth there is less by the
+/// What both darts of the back take in at the waist, so that the girth there is less by the
 /// intake [m]: where sides run straight, also what they are let out by there for the hem.
 double back_opening_at_waist(const TorsoLevels& levels);
 
-/// Hem of half a torso piece, from the side seam to x = `centre`, level at both ends.
-pattern::CurveChain draft_hem(const Vec2& side, double centre_level, double centre = 0);
+/// Hem of half a torso piece, from the side seam to the centre line, level at both ends.
+pattern::CurveChain draft_hem(const Vec2& side, double centre_level);
 
 /// Underarm seam of half a sleeve, from (w, 0) at the underarm to the cuff: through the half widths
 /// at its levels, with no bend (monotone cubics, Fritsch and Carlson 1980). `width_at`: x at each

@@ -41,17 +41,21 @@ pattern::Panel torso_panel(const TorsoHalf& half, bool front) {
     if (!chain.curves.empty()) loop.emplace_back(name, chain);
   };
   // From the side at x < 0 to the other one.
-  pattern::CurveChain hem = half.hem.mirrored();
-  const pattern::CurveChain rest = half.hem.reversed();
-  if (half.back_seam.curves.empty()) {
-    hem.curves.insert(hem.curves.end(), rest.curves.begin(), rest.curves.end());
-    hem.knots.insert(hem.knots.end(), rest.knots.begin(), rest.knots.end());
-    add("hem", hem);
+  const auto whole = [](pattern::CurveChain first, const pattern::CurveChain& second) {
+    first.curves.insert(first.curves.end(), second.curves.begin(), second.curves.end());
+    first.knots.insert(first.knots.end(), second.knots.begin(), second.knots.end());
+    return first;
+  };
+  if (half.hem_middle.curves.empty()) {
+    add("hem", whole(half.hem.mirrored(), half.hem.reversed()));
   } else {
-    add("hem_" + at_left, hem);
-    add("back_seam_" + at_left, half.back_seam.mirrored());
-    add("back_seam_" + at_right, half.back_seam.reversed());
-    add("hem_" + at_right, rest);
+    add("hem_" + at_left, half.hem.mirrored());
+    add("back_dart_" + at_left + "_outer", half.back_dart_outer.mirrored());
+    add("back_dart_" + at_left + "_inner", half.back_dart_inner.mirrored());
+    add("hem", whole(half.hem_middle.mirrored(), half.hem_middle.reversed()));
+    add("back_dart_" + at_right + "_inner", half.back_dart_inner.reversed());
+    add("back_dart_" + at_right + "_outer", half.back_dart_outer.reversed());
+    add("hem_" + at_right, half.hem.reversed());
   }
   add("side_" + at_right + "_below", half.side_below.reversed());
   add("dart_" + at_right + "_below", half.dart_below.reversed());
@@ -218,6 +222,9 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
       pattern::sew_edges(shirt, "bust_dart_" + s, "front", "dart_" + s + "_below", "front",
                          "dart_" + s + "_above");
     }
+    if (!d.back.hem_middle.curves.empty())
+      pattern::sew_edges(shirt, "back_dart_" + s, "back", "back_dart_" + s + "_inner", "back",
+                         "back_dart_" + s + "_outer");
     pattern::sew_edges(shirt, "shoulder_" + s, "front", "shoulder_" + s, "back", "shoulder_" + s);
     pattern::sew_edges(shirt, "armhole_front_" + s, "front", "armhole_" + s, sleeve_front, "cap");
     pattern::sew_edges(shirt, "armhole_back_" + s, "back", "armhole_" + s, sleeve_back, "cap");
@@ -230,8 +237,6 @@ pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtD
                          "dart_above");
     }
   }
-  if (!d.back.back_seam.curves.empty())
-    pattern::sew_edges(shirt, "back_seam", "back", "back_seam_L", "back", "back_seam_R");
   add_bands(shirt, m, fit);
   finish_edges(shirt, fit);
   for (int p = 0; p < static_cast<int>(shirt.panels.size()); ++p) shirt.panel_order.push_back(p);

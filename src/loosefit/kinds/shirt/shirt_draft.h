@@ -19,9 +19,9 @@ struct ShirtDraftReport {
 /// Knit shirt, long-sleeved or with shorter sleeves, of six pieces and twelve seams with the asked
 /// girths exactly (docs/theory/patterns.md). Pieces: front, back, sleeve_L_front, sleeve_L_back,
 /// sleeve_R_front, sleeve_R_back; torso edges hem, side_*, armhole_*, shoulder_*, neck; sleeve
-/// edges top, cuff, under, cap. Darts (bust_dart.h, elbow_dart.h) and a shaped back (back_waist.h)
-/// add edges and seams. \throws InvalidInput when a size or fit is outside its range, or no
-/// sleeve fits the armhole (ShirtRefusal, shirt_refusal.h).
+/// edges top, cuff, under, cap. Darts (bust_dart.h, elbow_dart.h) and those of the back
+/// (back_waist.h) add edges and seams. \throws InvalidInput when a size or fit is outside its
+/// range, or no sleeve fits the armhole (ShirtRefusal, shirt_refusal.h).
 pattern::Pattern draft_shirt(const ShirtMeasures& measures, const ShirtFit& fit = {},
                              ShirtDraftReport* report = nullptr,
                              const ShirtPlacement& placement = {});

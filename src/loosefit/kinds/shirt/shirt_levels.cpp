@@ -71,7 +71,7 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
     const SideSeams before(shirt.panels[front]), behind(shirt.panels[back]);
     const double down = behind.down_to(-hps_to_waist);
     add("waist", before.apart(down),
-        behind.apart(down) - back_seam_takes(shirt.panels[back], -hps_to_waist));
+        behind.apart(down) - back_darts_take(shirt.panels[back], -hps_to_waist));
   }
   // Hip: straight between the ends of the hem, which may be curved.
   const auto hem_width = [&](const char* panel) {

@@ -58,7 +58,7 @@ struct ShirtFit {
   /// against arm_girth_at there.
   double sleeve_length = 1.0;
   double bust_dart = 0;   ///< share of the bust balance that darts at the sides take up
-  double back_waist = 0;  ///< taken in at the waist by a seam down the middle of the back [m]
+  double back_waist = 0;  ///< taken in at the waist by darts of the back [m]
   /// Bend at the elbow for which the sleeve is cut [degrees]; its length is taken up in a dart.
   double elbow_bend = 0;
   double neckband = 0;  ///< width of the strip round the neck [m]; 0: none
