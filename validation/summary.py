@@ -10,7 +10,7 @@ docs/accuracy.md has the tables between markers. Any document of docs may have a
 
     changes by <!-- figure M3 "50 mm wide" error -->2.3 %<!-- end -->
 
-that is one of the keys expected, obtained, error, or limit of the finding of that benchmark whose
+that is one of the keys expected, obtained, percent (of what is obtained), error, or limit of the finding of that benchmark whose
 text contains the words in quotes.
 """
 
@@ -21,7 +21,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BEGIN, END = "<!-- benchmarks: begin -->", "<!-- benchmarks: end -->"
-FIGURE = re.compile(r'(<!-- figure (\S+) "([^"]+)" (expected|obtained|error|limit) -->)(.*?)(<!-- end -->)', re.S)
+FIGURE = re.compile(r'(<!-- figure (\S+) "([^"]+)" (expected|obtained|percent|error|limit) -->)(.*?)(<!-- end -->)', re.S)
 KEPT = ("what", "unit", "expected", "obtained", "error", "gate", "limit", "share_of_gate", "verdict",
         "known_miss")
 
@@ -126,6 +126,8 @@ def figure(benchmarks, identity, words, key):
         raise SystemExit(f"error: {len(found)} findings of {identity} contain \"{words}\", expected one")
     if key in ("error", "limit"):
         return measure(found[0], key)
+    if key == "percent":
+        return f"{100 * found[0]['obtained']:.0f} %"
     return f"{number(found[0][key])} {found[0]['unit']}".strip()
 
 

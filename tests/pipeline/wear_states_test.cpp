@@ -212,6 +212,7 @@ TEST(WearStates, AStoredRunRanksAlike) {
 TEST(WearStates, WhatOnlyTheRunCouldTellIsKeptWhenItIsReadAgain) {
   CaseResult result = worn_case();
   std::vector<CaseState>& states = result.wear.states;
+  for (CaseState& state : states) state.drapes[0].unsettled.reset();
   drape::Drape& unsettled = states[0].drapes[0];
   unsettled.certificate.residual = 0.1;
   unsettled.report.parts = {{"posture", 0, 90, 0, {.iterations = 7, .factorisations = 9}},
@@ -240,6 +241,7 @@ TEST(WearStates, WhatOnlyTheRunCouldTellIsKeptWhenItIsReadAgain) {
   Progress silent;
   CaseResult again = load_case(folder, silent);
   std::filesystem::remove_all(folder);
+  again.take_maps(map_case(again, false));
   again.warnings = case_warnings(again);
   EXPECT_EQ(again.warnings, result.warnings);
   const auto of_states = [](const CaseResult& r) {
@@ -248,7 +250,8 @@ TEST(WearStates, WhatOnlyTheRunCouldTellIsKeptWhenItIsReadAgain) {
     return all;
   };
   const nlohmann::json told = of_states(result), recalled = of_states(again);
-  EXPECT_EQ(recalled, told);
+  const nlohmann::json differs = nlohmann::json::diff(told, recalled);
+  EXPECT_TRUE(differs.empty()) << differs.dump(1);
   EXPECT_EQ(told[0]["iterations"], 12);
   EXPECT_EQ(told[0]["parts"][1]["start"], 2);
   EXPECT_TRUE(told[1]["worn"].is_null());

@@ -79,7 +79,7 @@ bool may_settle_from_another_start(ClothState& state) {
   const Certificate& c = state.certificate;
   const int cuts = c.intersections_self + c.intersections_body;
   return !c.settled() && cuts <= state.tuning.certify.smoothed_triangles && !state.worn &&
-         !state.falling && state.budget.is_half_left() &&
+         !state.must_stop() && state.budget.is_half_left() &&
          state.options.integrator == IntegratorKind::quasi_static;
 }
 

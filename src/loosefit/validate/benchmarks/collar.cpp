@@ -42,7 +42,7 @@ struct Shoulders {
   double missed_wider;  ///< the same of the wider one
 };
 const Shoulders kShoulders[] = {
-    {"sloping", radians(6.0), 0, 0}, {"normal", 0, 0, 2.0}, {"square", radians(-6.0), 0, 0}};
+    {"sloping", radians(6.0), 0, 0}, {"normal", 0, 0, 4.5}, {"square", radians(-6.0), 0, 0}};
 
 /// Largest pressure near the sides of the neck and near the shoulder points [Pa].
 struct Peaks {

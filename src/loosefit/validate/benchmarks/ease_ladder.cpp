@@ -36,7 +36,7 @@ struct Woman {
 };
 const Woman kWomen[] = {
     {"Woman of bust 90 cm", 1.65, 0.90, 0.72, 0.96, 0.066, 0, 9, 0, 0.014},
-    {"Woman of bust 82 cm", 1.58, 0.82, 0.65, 0.90, 0.081, 0.069, 7.2, 0, 0.07}};
+    {"Woman of bust 82 cm", 1.58, 0.82, 0.65, 0.90, 0.16, 0, 7.2, 0, 0.07}};
 
 const char* const kFoldsTakeIt =
     "the air grows more slowly than the cloth, which hangs in folds: of 24 to 25 cm of girth that "
