@@ -15,7 +15,9 @@ double gap_behind_waist(const char* back_waist) {
                   "measurements = { chest = 0.88, waist = 0.72, hip = 0.97 }\n[garment]\n"
                   "pattern = \"long-sleeve-shirt\"\n"
                   "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, back_waist = ") +
-      back_waist + " }\n[material]\nname = \"paper-cotton\"\n[simulation]\nedge_length = 0.02\n");
+      back_waist +
+      " }\n[material]\nname = \"paper-cotton\"\n[simulation]\nedge_length = "
+      "0.025\n[donning]\nmovements = []\n");
   const body::PosedBody& body = result.body.body;
   const Vec3 waist = body->landmarks.at("back_waist");
   const geometry::ClosestPointTree skin(body->surface);
