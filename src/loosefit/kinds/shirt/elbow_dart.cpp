@@ -9,16 +9,6 @@ namespace {
 
 constexpr double kLeastIntake = 0.005;  // [m]
 
-/// Length of a seam down to the level y, which it reaches once.
-double length_down_to(const pattern::CurveChain& seam, double y) {
-  double low = 0, high = seam.length();
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (seam.cut(middle).first.end().y() > y ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 }  // namespace
 
 bool take_elbow_dart(SleeveHalf& front, SleeveHalf& back, double level, double girth, double bend) {
@@ -26,7 +16,7 @@ bool take_elbow_dart(SleeveHalf& front, SleeveHalf& back, double level, double g
   // middle of the half opens by half of what its edge does.
   const double radius = girth / (2 * kPi), intake = 2 * radius * radians(bend);
   if (intake < kLeastIntake) return false;
-  const double down = length_down_to(back.under, level);
+  const double down = length_down_to(back.under, 1, level);
   const auto [above, below] = back.under.cut(down);
   const Vec2 hinge(0, level), mouth = above.end();
   const double angle = 2 * std::asin(0.5 * intake / mouth.x());

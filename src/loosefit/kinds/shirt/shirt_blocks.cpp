@@ -59,23 +59,13 @@ SideAtWaist side_at_waist(const TorsoLevels& l, double forward) {
   return {share, width + taken, l.waist_fit || (between && needed > straight - taken)};
 }
 
-/// Length of a hem from the side up to x = `at`, which it crosses once.
-double length_in_to(const pattern::CurveChain& hem, double at) {
-  double low = 0, high = hem.length();
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (hem.cut(middle).first.end().x() > at ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 /// Cuts a dart into half a back at x = `middle`. The hem is that of the sewn back, drawn apart by
 /// the mouth.
 void take_back_dart(TorsoHalf& back, const TorsoLevels& l, double middle) {
-  const double mouth = 0.5 * l.back_mouth;
+  const double mouth = 0.5 * back_hem_mouth(l.back_intake);
   const Vec2 side = back.side.end();
   const pattern::CurveChain closed = draft_hem(side - Vec2(mouth, 0), l.hem_y);
-  const auto [beyond, within] = closed.cut(length_in_to(closed, middle - 0.5 * mouth));
+  const auto [beyond, within] = closed.cut(length_down_to(closed, 0, middle - 0.5 * mouth));
   back.hem = beyond;
   back.hem.start.x() += mouth;
   for (Vec2& k : back.hem.knots) k.x() += mouth;
@@ -153,7 +143,7 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   const Vec2 underarm((1 + l.chest_fit) * l.chest / 4 + forward, l.underarm_y);
   const double end_y = l.hem_y - l.side_drop;
   // It keeps the girth of the hem below the hem's level.
-  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward + l.back_mouth / 4,
+  const Vec2 hem((1 + l.hip_fit) * l.hip / 4 + forward + back_hem_mouth(l.back_intake) / 4,
                  std::max(l.hem_y, end_y));
   pattern::CurveChain side;
   side.start = underarm;
@@ -168,9 +158,18 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   return side;
 }
 
+double length_down_to(const pattern::CurveChain& chain, int axis, double level) {
+  double low = 0, high = chain.length();
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chain.cut(middle).first.end()[axis] > level ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 double back_opening_at_waist(const TorsoLevels& l) {
   const SideAtWaist at = side_at_waist(l, 0);
-  return l.back_intake + (at.through ? 0.0 : at.share * l.back_mouth);
+  return l.back_intake + (at.through ? 0.0 : at.share * back_hem_mouth(l.back_intake));
 }
 
 double hem_side_drop(double front_balance) { return 0.5 * front_balance; }
@@ -191,8 +190,7 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                               .waist_y = -m.hps_to_waist,
                               .hem_y = -m.hps_to_hem,
                               .side_drop = hem_side_drop(m.front_balance),
-                              .back_intake = back_waist_intake(fit),
-                              .back_mouth = back_hem_mouth(back_waist_intake(fit))};
+                              .back_intake = back_waist_intake(fit)};
   // All levels move alike, which keeps both side seams equal.
   const double forward = side_shift(levels, front);
   const double x_underarm = (1 + fit.chest) * m.chest / 4 + forward;

@@ -61,9 +61,8 @@ struct TorsoLevels {
   std::optional<double> waist_fit;                ///< absent: as the body needs
   double front_fullness = 0;                      ///< as ShirtMeasures
   double underarm_y = 0, waist_y = 0, hem_y = 0;  ///< [m], upwards
-  double side_drop = 0;  ///< by which the side seams end below the level of the hem [m]
-  /// What darts of the back take in at waist and hem (back_waist.h) [m].
-  double back_intake = 0, back_mouth = 0;
+  double side_drop = 0;    ///< by which the side seams end below the level of the hem [m]
+  double back_intake = 0;  ///< what darts of the back take in at the waist (back_waist.h) [m]
 };
 /// How far the sides of the front lie beyond a quarter of the girth, and those of the back inside
 /// of it [m]: a bust needs its width in front, the side seams lie where the body's sides are. On a
@@ -76,6 +75,9 @@ double side_shift(const TorsoLevels& levels, bool front);
 /// shirt: of what darts of the back take in either half gives back a quarter at the hem and at a
 /// waist that is asked for or needed.
 pattern::CurveChain draft_side(const TorsoLevels& levels, bool front);
+
+/// Length of a seam or hem to where x (axis 0) or y (1) has fallen to `level`, which it does once.
+double length_down_to(const pattern::CurveChain& chain, int axis, double level);
 
 /// What both darts of the back take in at the waist, so that the girth there is less by the
 /// intake [m]: where sides run straight, also what they are let out by there for the hem.
