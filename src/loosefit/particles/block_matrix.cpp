@@ -3,13 +3,18 @@
 #include <atomic>
 #include <functional>
 
+#include "loosefit/particles/tile.h"
+
 namespace loosefit::particles {
 
 void BlockPattern::compress() {
-  for (auto& rows : rows_of_column_) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  }
+  for_ranges(static_cast<int>(rows_of_column_.size()), 512, [&](int first, int last) {
+    for (int j = first; j < last; ++j) {
+      std::vector<int>& rows = rows_of_column_[j];
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    }
+  });
 }
 
 namespace {

@@ -1,35 +1,47 @@
 #include "loosefit/solver/linear/multifrontal/front_tree.h"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 
 #include "loosefit/solver/linear/linear_tuning.h"
 
 namespace loosefit::solver {
 namespace {
 
-using Lists = std::vector<std::vector<int>>;
+/// A list of numbers for each of n columns, one after the other.
+struct Lists {
+  std::vector<int> start, entries;
 
-/// Rows > column of the permuted graph.
-Lists permuted(const std::vector<int>& column_start, const std::vector<int>& rows,
-               const std::vector<int>& number) {
+  /// Of the pairs (list, entry) that `visit` hands to a function, called twice: to count, to fill.
+  template <class Visit>
+  Lists(int n, const Visit& visit) : start(n + 1, 0) {
+    visit([&](int list, int) { ++start[list + 1]; });
+    for (int i = 0; i < n; ++i) start[i + 1] += start[i];
+    entries.resize(start[n]);
+    std::vector<int> next(start.begin(), start.end() - 1);
+    visit([&](int list, int entry) { entries[next[list]++] = entry; });
+  }
+  std::span<const int> operator[](int list) const {
+    return {entries.data() + start[list], entries.data() + start[list + 1]};
+  }
+};
+
+/// Hands over (row, column), row > column, for every entry of the permuted graph beside the
+/// diagonal.
+template <class Take>
+void permuted(const std::vector<int>& column_start, const std::vector<int>& rows,
+              const std::vector<int>& number, const Take& take) {
   const int n = static_cast<int>(number.size());
-  Lists below(n);
   for (int j = 0; j < n; ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k)
       if (rows[k] != j) {
-        const auto [low, high] = std::minmax(number[j], number[rows[k]]);
-        below[low].push_back(high);
+        const auto [column, row] = std::minmax(number[j], number[rows[k]]);
+        take(row, column);
       }
-  return below;
 }
 
-/// Parent of each column in the elimination tree (Liu 1990).
-std::vector<int> elimination_tree(const Lists& below) {
-  const int n = static_cast<int>(below.size());
-  Lists left(n);  // columns < row
-  for (int j = 0; j < n; ++j)
-    for (int i : below[j]) left[i].push_back(j);
+/// Parent of each column in the elimination tree (Liu 1990), from the columns < row of each row.
+std::vector<int> elimination_tree(int n, const Lists& left) {
   std::vector<int> parent(n, -1), ancestor(n, -1);
   for (int i = 0; i < n; ++i)
     for (int j : left[i])
@@ -42,21 +54,26 @@ std::vector<int> elimination_tree(const Lists& below) {
   return parent;
 }
 
-std::vector<int> postorder(const std::vector<int>& parent) {
+Lists children_of(const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
-  Lists children(n);
-  for (int j = n - 1; j >= 0; --j)
-    if (parent[j] >= 0) children[parent[j]].push_back(j);
+  return {n, [&](const auto& add) {
+            for (int j = 0; j < n; ++j)
+              if (parent[j] >= 0) add(parent[j], j);
+          }};
+}
+
+/// Columns, children before parents; the i-th of them has the number i from then on.
+std::vector<int> postorder(const std::vector<int>& parent, const Lists& children) {
+  const int n = static_cast<int>(parent.size());
   std::vector<int> order, stack, next(n, 0);
+  order.reserve(n);
   for (int root = 0; root < n; ++root) {
     if (parent[root] >= 0) continue;
     stack.push_back(root);
     while (!stack.empty()) {
       const int j = stack.back();
-      const int open = static_cast<int>(children[j].size()) - next[j];
-      if (open > 0) {
-        stack.push_back(children[j][open - 1]);
-        ++next[j];
+      if (next[j] < static_cast<int>(children[j].size())) {
+        stack.push_back(children[j][next[j]++]);
       } else {
         order.push_back(j);
         stack.pop_back();
@@ -66,25 +83,51 @@ std::vector<int> postorder(const std::vector<int>& parent) {
   return order;
 }
 
-/// Rows below the diagonal in every column of the factor.
-Lists factor_structure(const Lists& below, const std::vector<int>& parent) {
-  const int n = static_cast<int>(below.size());
-  Lists structure(n), children(n);
-  for (int j = 0; j < n; ++j)
-    if (parent[j] >= 0) children[parent[j]].push_back(j);
+/// Rows below the diagonal of the factor. A column whose structure is that of the one before it,
+/// its only child, without its own row shares the list.
+struct FactorStructure {
+  std::vector<int> entries;
+  std::vector<std::size_t> begin, end;  ///< of each column
+  std::vector<char> joins;              ///< the column before it
+
+  std::span<const int> operator[](int column) const {
+    return {entries.data() + begin[column], entries.data() + end[column]};
+  }
+  int size(int column) const { return static_cast<int>(end[column] - begin[column]); }
+};
+
+FactorStructure factor_structure(const Lists& below, const std::vector<int>& parent) {
+  const int n = static_cast<int>(parent.size());
+  const Lists children = children_of(parent);
+  FactorStructure structure;
+  structure.begin.resize(n);
+  structure.end.resize(n);
+  structure.joins.assign(n, 0);
+  std::vector<int>& entries = structure.entries;
   std::vector<int> mark(n, -1);
+  int head = -1;  // column whose list the one before shares; its rows are marked with it
   for (int j = 0; j < n; ++j) {
+    const auto is_marked = [&](int i) { return mark[i] == head; };
+    if (j > 0 && parent[j - 1] == j && children[j].size() == 1 &&
+        std::all_of(below[j].begin(), below[j].end(), is_marked)) {
+      structure.joins[j] = 1;
+      structure.begin[j] = structure.begin[j - 1] + 1;  // j is the first of the list
+      structure.end[j] = structure.end[j - 1];
+      continue;
+    }
+    head = j;
     mark[j] = j;
+    structure.begin[j] = entries.size();
     const auto take = [&](int i) {
-      if (i > j && mark[i] != j) {
-        mark[i] = j;
-        structure[j].push_back(i);
-      }
+      if (mark[i] == j || i == j) return;
+      mark[i] = j;
+      entries.push_back(i);
     };
     for (int i : below[j]) take(i);
     for (int c : children[j])
-      for (int i : structure[c]) take(i);
-    std::sort(structure[j].begin(), structure[j].end());
+      for (std::size_t k = structure.begin[c]; k < structure.end[c]; ++k) take(entries[k]);
+    structure.end[j] = entries.size();
+    std::sort(entries.begin() + static_cast<long>(structure.begin[j]), entries.end());
   }
   return structure;
 }
@@ -118,28 +161,27 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
     for (int k = 0; k < n; ++k) tree.number[tree.order[k]] = k;
   };
   invert();
-  std::vector<int> parent = elimination_tree(permuted(column_start, rows, tree.number));
+  std::vector<int> parent(n);
   {
-    const std::vector<int> post = postorder(parent);
-    std::vector<int> composed(n);
-    for (int k = 0; k < n; ++k) composed[k] = tree.order[post[k]];
+    const std::vector<int> given = elimination_tree(
+        n, {n, [&](const auto& add) { permuted(column_start, rows, tree.number, add); }});
+    const std::vector<int> post = postorder(given, children_of(given));
+    // Renumbering by a postorder leaves the elimination tree as it is (Liu 1990).
+    std::vector<int> composed(n), renumbered(n);
+    for (int k = 0; k < n; ++k) composed[k] = tree.order[post[k]], renumbered[post[k]] = k;
+    for (int k = 0; k < n; ++k) parent[k] = given[post[k]] < 0 ? -1 : renumbered[given[post[k]]];
     tree.order = std::move(composed);
     invert();
   }
-  const Lists below = permuted(column_start, rows, tree.number);
-  parent = elimination_tree(below);
-  const Lists structure = factor_structure(below, parent);
+  const Lists below(n, [&](const auto& add) {
+    permuted(column_start, rows, tree.number, [&](int row, int column) { add(column, row); });
+  });
+  const FactorStructure structure = factor_structure(below, parent);
 
   // Fundamental fronts: runs of columns of which each has exactly the structure of the next.
   std::vector<int> first;  // column of each front, ascending
-  std::vector<int> children(n, 0);
   for (int j = 0; j < n; ++j)
-    if (parent[j] >= 0) ++children[parent[j]];
-  for (int j = 0; j < n; ++j) {
-    const bool joins = j > 0 && parent[j - 1] == j && children[j] == 1 &&
-                       structure[j - 1].size() == structure[j].size() + 1;
-    if (!joins) first.push_back(j);
-  }
+    if (!structure.joins[j]) first.push_back(j);
   // Merge a front into the one right behind it when that is its parent and few zeros are added.
   struct Run {
     int first, columns, below;
@@ -148,7 +190,7 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
   std::vector<Run> runs;
   for (std::size_t f = 0; f < first.size(); ++f) {
     const int end = f + 1 < first.size() ? first[f + 1] : n;
-    Run run{first[f], end - first[f], static_cast<int>(structure[end - 1].size()), 0};
+    Run run{first[f], end - first[f], structure.size(end - 1), 0};
     while (!runs.empty()) {
       const Run& child = runs.back();
       const int last = child.first + child.columns - 1;
@@ -169,7 +211,8 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
     Front front;
     front.first = run.first;
     front.columns = run.columns;
-    front.rows = structure[run.first + run.columns - 1];
+    const std::span<const int> border = structure[run.first + run.columns - 1];
+    front.rows.assign(border.begin(), border.end());
     for (int k = 0; k < run.columns; ++k)
       tree.front_of[run.first + k] = static_cast<int>(tree.fronts.size());
     tree.fronts.push_back(std::move(front));

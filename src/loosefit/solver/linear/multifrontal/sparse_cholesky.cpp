@@ -50,7 +50,8 @@ struct SparseCholesky<Real>::Work {
     int row, column;  ///< place in the front, in blocks
     bool transposed;
   };
-  std::vector<std::vector<Entry>> entries;
+  std::vector<Entry> entries;                   ///< front by front
+  std::vector<std::size_t> entry_start;         ///< of each front, and the end
   std::vector<std::unique_ptr<Real[]>> factor;  ///< per front: 3(p+r) × 3p, column major
   BufferPool<Real> pool;
   std::vector<Border> border;  ///< per front until its parent has taken it: 3r × 3r
@@ -87,7 +88,13 @@ void SparseCholesky<Real>::Work::analyse(const particles::BlockMatrix& matrix) {
     subtree_flops[f] += front.flops();
     if (front.parent >= 0) subtree_flops[front.parent] += subtree_flops[f];
   }
-  entries.assign(fronts, {});
+  entry_start.assign(fronts + 1, 0);
+  for (int j = 0; j < matrix.particles(); ++j)
+    for (int k = column_start[j]; k < column_start[j + 1]; ++k)
+      ++entry_start[tree.front_of[std::min(tree.number[j], tree.number[rows[k]])] + 1];
+  for (std::size_t f = 0; f < fronts; ++f) entry_start[f + 1] += entry_start[f];
+  entries.resize(entry_start[fronts]);
+  std::vector<std::size_t> next(entry_start.begin(), entry_start.end() - 1);
   for (int j = 0; j < matrix.particles(); ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
       const int a_number = tree.number[j], b_number = tree.number[rows[k]];
@@ -101,7 +108,7 @@ void SparseCholesky<Real>::Work::analyse(const particles::BlockMatrix& matrix) {
         e.row = front.columns +
                 static_cast<int>(std::lower_bound(front.rows.begin(), front.rows.end(), high) -
                                  front.rows.begin());
-      entries[f].push_back(e);
+      entries[next[f]++] = e;
     }
   factor.clear();
   factor.resize(fronts);
@@ -124,7 +131,8 @@ template <class Real>
 void SparseCholesky<Real>::Work::add_entries(int front, Real* f) {
   const int height = 3 * tree.fronts[front].size();
   const bool any_held = !held->empty();
-  for (const Entry& e : entries[front]) {
+  for (std::size_t k = entry_start[front]; k < entry_start[front + 1]; ++k) {
+    const Entry& e = entries[k];
     const Mat3& block = a->blocks()[e.block];
     Real* at = f + 3 * std::size_t(e.column) * height + 3 * e.row;
     if (any_held && ((*held)[e.i] || (*held)[e.j])) {
