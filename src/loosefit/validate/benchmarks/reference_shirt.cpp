@@ -37,15 +37,15 @@ struct Compared {
 };
 const char* const kLocking =
     "flat triangles of 10 mm cannot fold as the cloth does at 5 mm and shear and stretch instead "
-    "(locking). Laid along the shape of the 5 mm mesh they are compressed along the weft by 4.5 % "
-    "on the upper sleeves, 1 to 2 % above the underarms, 0.2 to 0.7 % on chest, back and sides "
+    "(locking). Laid along the shape of the 5 mm mesh they are compressed along the weft by 3.2 % "
+    "on the upper sleeves, 1.1 to 1.8 % above the underarms, 0.2 to 0.6 % on chest, back and sides "
     "(5th percentile), where the cloth itself is by 0.01 to 0.06 %. With four times the stiffness "
-    "in the plane sides and sleeves keep 84 to 99 % of their principal strain, the chest 63 % of "
+    "in the plane sides and sleeves keep 77 to 106 % of their principal strain, the chest 80 % of "
     "its weft's; what only bears load would keep 25 %";
 const char* const kPresses =
     "flat triangles of 10 mm are stretched where the cloth would fold (locking), and what is "
-    "stretched presses more: means of several drapes are 4.4 weights at 10 mm and 2.9 at 5 mm "
-    "(docs/accuracy.md 2)";
+    "stretched presses more: free of the arms means of several drapes are 4.0 weights at 10 mm "
+    "and 3.0 at 5 mm (docs/accuracy.md 2)";
 const char* const kTouches =
     "the corners of a flat triangle that touches round skin stand off it, those of 10 mm edges "
     "four times as far as those of 5 mm (h²κ/8). The sides touch little, a fold more or less is "
