@@ -1,5 +1,7 @@
 #include "loosefit/body/register_person.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -41,9 +43,15 @@ double robust_weight(double r, double scale) {
   return s * s;
 }
 
+/// f(i) for each i < n, on all threads.
+template <class F>
+void for_each_index(std::size_t n, const F& f) {
+  tbb::parallel_for(std::size_t(0), n, f);
+}
+
 /// One point-to-plane distance: a vertex of the model against a point of the scan.
 struct Match {
-  int vertex = 0;
+  int vertex = -1;  ///< none: there is nothing within reach
   Vec3 point, normal;
   double weight = 1;
   bool pressed = false;  ///< maybe, by other skin: the person reaches there or farther
@@ -88,7 +96,7 @@ class Registration {
         morph_(data_),
         scan_(scan),
         tree_(scan_),
-        normals_(geometry::vertex_normals(scan.vertices, scan.triangles)),
+        scan_normals_(geometry::smooth_normals(scan)),
         samples_(spread_samples(scan, kSamples)) {
     coarse_ = model.rest({}, BodyDetail::coarse).surface.triangles;
     const int step = std::max(1, data_.body_vertices / kSamples);
@@ -257,32 +265,34 @@ class Registration {
     const TriangleMesh mesh{surface, coarse_};
     const auto normals = geometry::vertex_normals(surface, coarse_);
     const double reach = 3 * scale;
-    std::vector<Match> found;
+    std::vector<Match> found(sampled_.size() + samples_.point.size());
     // Model to scan.
-    for (const int v : sampled_) {
+    for_each_index(sampled_.size(), [&](std::size_t i) {
+      const int v = sampled_[i];
       const Vec3 &p = surface[std::size_t(v)], &n = normals[std::size_t(v)];
       const ClosestPoint c =
           tree_.query(p, reach, [&](int t) { return scan_normal(t).dot(n) > kSameSide; });
-      if (c.triangle < 0) continue;
-      const Vec3 m = scan_normal(c.triangle);
-      found.push_back({v, c.point, m, weight_of(v), is_pressed(c.point, m)});
-    }
+      if (c.triangle < 0) return;
+      const Vec3& m = scan_normal(c.triangle);
+      found[i] = {v, c.point, m, weight_of(v), is_pressed(c.point, m)};
+    });
     // Scan to model.
     const ClosestPointTree tree(mesh);
-    for (std::size_t i = 0; i < samples_.point.size(); ++i) {
+    for_each_index(samples_.point.size(), [&](std::size_t i) {
       const Vec3 &p = samples_.point[i], &n = samples_.normal[i];
       const ClosestPoint c = tree.query(p, reach, [&](int t) {
         const Triangle& corner = coarse_[std::size_t(t)];
         return normals[std::size_t(corner[0])].dot(n) > kSameSide;
       });
-      if (c.triangle < 0) continue;
+      if (c.triangle < 0) return;
       Eigen::Index nearest = 0;
       c.barycentric.maxCoeff(&nearest);
       const int v = coarse_[std::size_t(c.triangle)][std::size_t(nearest)];
       // The plane is moved by as much as the vertex is from the closest point.
-      found.push_back(
-          {v, p + surface[std::size_t(v)] - c.point, n, weight_of(v), pressed_[i] != 0});
-    }
+      found[sampled_.size() + i] = {v, p + surface[std::size_t(v)] - c.point, n, weight_of(v),
+                                    pressed_[i] != 0};
+    });
+    std::erase_if(found, [](const Match& match) { return match.vertex < 0; });
     return found;
   }
 
@@ -292,11 +302,7 @@ class Registration {
         tree_, [&](int t) { return scan_normal(t); }, p, n);
   }
 
-  Vec3 scan_normal(int triangle) const {
-    const Triangle& t = scan_.triangles[std::size_t(triangle)];
-    return (normals_[std::size_t(t[0])] + normals_[std::size_t(t[1])] + normals_[std::size_t(t[2])])
-        .normalized();
-  }
+  const Vec3& scan_normal(int triangle) const { return scan_normals_[std::size_t(triangle)]; }
 
   double step(const PersonVariables& variables, VectorXd& x, double scale) const {
     const PosedPerson now = variables.at(x);
@@ -318,7 +324,8 @@ class Registration {
     for (Eigen::Index i = 0; i < m; ++i)
       weight[i] = matched[std::size_t(i)].weight_at(r0[i], scale);
     MatrixXd jacobian = MatrixXd::Zero(m, n);
-    for (Eigen::Index j = 0; j < n; ++j) {
+    for_each_index(std::size_t(n), [&](std::size_t column) {
+      const auto j = Eigen::Index(column);
       VectorXd y = x;
       y[j] += variables.difference(int(j));
       if (variables.clamped(y)[j] != y[j]) y[j] = x[j] - variables.difference(int(j));
@@ -326,7 +333,7 @@ class Registration {
       jacobian.col(j) =
           (residuals(there, variables.is_shape(int(j)) ? rows_of(there) : rows) - r0) /
           (y[j] - x[j]);
-    }
+    });
     // Many samples tell of the same misfit, so they count as kPeers of them.
     // While correspondences are vague, so is what they tell.
     const double noise = std::max(kNoise, kVague * scale);
@@ -355,7 +362,7 @@ class Registration {
   Morph morph_;
   const TriangleMesh& scan_;
   ClosestPointTree tree_;
-  std::vector<Vec3> normals_;
+  std::vector<Vec3> scan_normals_;  ///< of its triangles
   SkinSamples samples_;
   std::vector<char> pressed_;  ///< each
   std::vector<Triangle> coarse_;

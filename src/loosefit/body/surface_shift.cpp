@@ -145,12 +145,8 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
   const BodyData& data = model.data();
   const auto count = Eigen::Index(data.body_vertices);
   const ClosestPointTree tree(scan);
-  const auto normals = geometry::vertex_normals(scan.vertices, scan.triangles);
-  const auto scan_normal = [&](int t) -> Vec3 {
-    const auto& [a, b, c] = scan.triangles[std::size_t(t)];
-    return (normals[std::size_t(a)] + normals[std::size_t(b)] + normals[std::size_t(c)])
-        .normalized();
-  };
+  const std::vector<Vec3> normals = geometry::smooth_normals(scan);
+  const auto scan_normal = [&](int t) -> const Vec3& { return normals[std::size_t(t)]; };
   std::set<std::pair<int, int>> edges;
   for (const auto& quad : data.quads)
     for (std::size_t i = 0; i < 4; ++i) edges.insert(std::minmax(quad[i], quad[(i + 1) % 4]));

@@ -120,11 +120,11 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
   if (leaves_.empty()) return best;
   double limit = max_distance * max_distance;
   const auto look_at = [&](const Leaf& l) {
+    if (accept && !accept(l.triangle)) return;  // before the distance, which costs more
     const Vec3 weights = closest_barycentric(p, l.a, l.b, l.c);
     const Vec3 point = weights[0] * l.a + weights[1] * l.b + weights[2] * l.c;
     const double d2 = (p - point).squaredNorm();
     if (!(d2 < limit || (d2 == limit && (best.triangle < 0 || l.triangle < best.triangle)))) return;
-    if (accept && !accept(l.triangle)) return;
     limit = d2;
     best = {l.triangle, weights, point, 0};
   };

@@ -28,6 +28,17 @@ std::vector<Vec3> vertex_normals(const std::vector<Vec3>& vertices,
   return normals;
 }
 
+std::vector<Vec3> smooth_normals(const TriangleMesh& mesh) {
+  const std::vector<Vec3> of_vertex = vertex_normals(mesh.vertices, mesh.triangles);
+  std::vector<Vec3> normals;
+  normals.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles)
+    normals.push_back(
+        (of_vertex[std::size_t(a)] + of_vertex[std::size_t(b)] + of_vertex[std::size_t(c)])
+            .normalized());
+  return normals;
+}
+
 double enclosed_volume(const TriangleMesh& mesh) {
   double volume = 0;
   for (const Triangle& t : mesh.triangles)
