@@ -42,6 +42,10 @@ const char* const kLocking =
     "(5th percentile), where the cloth itself is by 0.01 to 0.06 %. With four times the stiffness "
     "in the plane sides and sleeves keep 77 to 106 % of their principal strain, the chest 80 % of "
     "its weft's; what only bears load would keep 25 %";
+const char* const kWarp =
+    "too small at 10 mm on the upper back, the shoulders and the neck, by 27 to 40 % in means of "
+    "several drapes, and still rising from 7 to 5 mm: why is not known. On the sleeves it is a "
+    "quarter too large, since flat triangles cannot fold as the cloth does (docs/accuracy.md 3)";
 const char* const kPresses =
     "flat triangles of 10 mm are stretched where the cloth would fold (locking), and what is "
     "stretched presses more: free of the arms means of several drapes are 4.0 weights at 10 mm "
@@ -56,7 +60,7 @@ const Compared kMaps[] = {
     {"distance_mm", "distance", "mm", kMean, "means", 2, 0.10, 0.35, 0, 0},
     {"angular_deviation_deg", "angular deviation", "°", kMean, "means", 3, 0.10, 0.25, 0, 0},
     {"strain_warp", "yarn strain, warp", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.23,
-     0.5, kLocking},
+     0.5, kWarp},
     {"strain_weft", "yarn strain, weft", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.28,
      2.9, kLocking},
     {"strain_max", "strain, largest principal", "", kMean, "means", 0.0005, 0.10, 0.35, 0.2, 1.4,
