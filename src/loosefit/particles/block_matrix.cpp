@@ -1,20 +1,21 @@
 #include "loosefit/particles/block_matrix.h"
 
+#include <tbb/parallel_for.h>
+
 #include <atomic>
 #include <functional>
-
-#include "loosefit/particles/tile.h"
 
 namespace loosefit::particles {
 
 void BlockPattern::compress() {
-  for_ranges(static_cast<int>(rows_of_column_.size()), 512, [&](int first, int last) {
-    for (int j = first; j < last; ++j) {
-      std::vector<int>& rows = rows_of_column_[j];
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    }
-  });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows_of_column_.size(), 512),
+                    [&](const tbb::blocked_range<std::size_t>& columns) {
+                      for (std::size_t j = columns.begin(); j < columns.end(); ++j) {
+                        std::vector<int>& rows = rows_of_column_[j];
+                        std::sort(rows.begin(), rows.end());
+                        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+                      }
+                    });
 }
 
 namespace {
