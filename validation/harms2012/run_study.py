@@ -223,8 +223,9 @@ def main():
                           for d in results[name]["drapes"])
             print(f"{name}: {counted} of {specs[name]['donnings']} donnings count", file=sys.stderr,
                   flush=True)
-            ordered = {key: results[key] for key in ALL if key in results}
-            stored.write_text(json_lines({"places": places, **ordered}) + "\n")
+    # At the end: half a study is none, and drapes are kept in the output folder anyway.
+    ordered = {key: results[key] for key in ALL if key in results}
+    stored.write_text(json_lines({"places": places, **ordered}) + "\n")
     if arguments.no_page:
         return
     drape(arguments.binary, out, "reference", [REFERENCE.read_text()])
