@@ -43,12 +43,6 @@ double robust_weight(double r, double scale) {
   return s * s;
 }
 
-/// f(i) for each i < n, on all threads.
-template <class F>
-void for_each_index(std::size_t n, const F& f) {
-  tbb::parallel_for(std::size_t(0), n, f);
-}
-
 /// One point-to-plane distance: a vertex of the model against a point of the scan.
 struct Match {
   int vertex = -1;  ///< none: there is nothing within reach
@@ -267,7 +261,7 @@ class Registration {
     const double reach = 3 * scale;
     std::vector<Match> found(sampled_.size() + samples_.point.size());
     // Model to scan.
-    for_each_index(sampled_.size(), [&](std::size_t i) {
+    tbb::parallel_for(std::size_t(0), sampled_.size(), [&](std::size_t i) {
       const int v = sampled_[i];
       const Vec3 &p = surface[std::size_t(v)], &n = normals[std::size_t(v)];
       const ClosestPoint c =
@@ -278,7 +272,7 @@ class Registration {
     });
     // Scan to model.
     const ClosestPointTree tree(mesh);
-    for_each_index(samples_.point.size(), [&](std::size_t i) {
+    tbb::parallel_for(std::size_t(0), samples_.point.size(), [&](std::size_t i) {
       const Vec3 &p = samples_.point[i], &n = samples_.normal[i];
       const ClosestPoint c = tree.query(p, reach, [&](int t) {
         const Triangle& corner = coarse_[std::size_t(t)];
@@ -324,8 +318,7 @@ class Registration {
     for (Eigen::Index i = 0; i < m; ++i)
       weight[i] = matched[std::size_t(i)].weight_at(r0[i], scale);
     MatrixXd jacobian = MatrixXd::Zero(m, n);
-    for_each_index(std::size_t(n), [&](std::size_t column) {
-      const auto j = Eigen::Index(column);
+    tbb::parallel_for(Eigen::Index(0), n, [&](Eigen::Index j) {
       VectorXd y = x;
       y[j] += variables.difference(int(j));
       if (variables.clamped(y)[j] != y[j]) y[j] = x[j] - variables.difference(int(j));

@@ -19,7 +19,8 @@ class ClosestPointTree {
   /// Nearest surface point within `max_distance`. Ties go to the lower triangle index.
   ClosestPoint query(const Vec3& p,
                      double max_distance = std::numeric_limits<double>::infinity()) const;
-  /// The same among the triangles for which `accept(triangle)` holds.
+  /// The same among the triangles for which `accept(triangle)` holds. It is asked before the
+  /// distance is measured, of more triangles than could be nearest: it has to be cheap.
   ClosestPoint query(const Vec3& p, double max_distance,
                      const std::function<bool(int)>& accept) const;
   /// Signed distance [m], negative inside; sign by angle-weighted pseudonormal
