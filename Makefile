@@ -1,6 +1,6 @@
 # Loosefit from a bare Debian 12 machine:
 #   make demo    install what is missing, build, drape the reference shirt, write out/demo
-#   make test    the same, then the layer check and all tests
+#   make test    install and build what tests need as well, then the layer check and all tests
 # Each target says what it does; nothing outside this folder is changed but Debian packages.
 
 # ci turns warnings into errors; with another compiler than g++ 12: make PRESET=release demo
@@ -9,19 +9,22 @@ BUILD := build
 JOBS ?= $(shell nproc)
 LOOSEFIT := $(BUILD)/bin/loosefit
 
-.PHONY: help packages configure setup build raw-body-data demo paper-claims deb validate test test-slurm bench bench-kernels format tidy asan fuzz clean
+.PHONY: help packages configure setup build python raw-body-data demo paper-claims deb validate test test-slurm bench bench-kernels format tidy asan fuzz clean
 
 help:
 	@sed -n '2,4s/^# *//p' Makefile
-	@echo "also: make setup | build | validate | test-slurm | paper-claims | deb | bench | bench-kernels | format | tidy | asan | fuzz | clean"
+	@echo "also: make python | setup | build | validate | test-slurm | paper-claims | deb | bench | bench-kernels | format | tidy | asan | fuzz | clean"
 
 # What only the tests and the Python module need is left out of a first build of the program alone.
 # `PACKAGES` and `PARTS` of a target hold for what it depends on, too.
 PACKAGES = program
-PARTS = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DLOOSEFIT_TESTS=OFF -DLOOSEFIT_PYTHON_MODULE=OFF -DLOOSEFIT_VALIDATE=OFF)
+PARTS = $(FIRST)
+FIRST = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DLOOSEFIT_TESTS=OFF -DLOOSEFIT_PYTHON_MODULE=OFF -DLOOSEFIT_VALIDATE=OFF)
 test bench-kernels asan fuzz tidy: PACKAGES =
 test bench-kernels asan tidy: PARTS = -DLOOSEFIT_TESTS=ON -DLOOSEFIT_PYTHON_MODULE=ON -DLOOSEFIT_VALIDATE=ON
-validate: PARTS = -DLOOSEFIT_VALIDATE=ON
+validate: PARTS = $(FIRST) -DLOOSEFIT_VALIDATE=ON
+python: PACKAGES = python
+python: PARTS = $(FIRST) -DLOOSEFIT_PYTHON_MODULE=ON
 
 packages:
 	@tools/setup_packages.sh $(PACKAGES)
@@ -50,6 +53,10 @@ demo: setup
 	@echo "demo: draping the reference shirt; writes out/demo"
 	@$(LOOSEFIT) run examples/reference-shirt.toml -o out/demo
 	@echo "demo: open out/demo/report.html, or look at out/demo/maps/*.png and out/demo/summary.json"
+
+# The Python module, for PYTHONPATH=build/python /usr/bin/python3
+python: setup
+	@cmake --build $(BUILD) -j $(JOBS) --target loosefit_python
 
 # Every figure that README.md states, run again beside the claim. CLAIMS passes options:
 # make paper-claims CLAIMS="--clean-build --fetch"

@@ -154,7 +154,7 @@ def body_size(context):
     return f"{size:.1f} MB", round(size) == 89
 
 
-def build_and_demo(context):
+def compile_time(context):
     if not context.clean_build:
         raise NotRun("compiles everything: --clean-build")
     folder = context.out / "build"
@@ -168,20 +168,18 @@ def build_and_demo(context):
     built = time.monotonic() - start
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    total = built + context.demo()[1]
-    return (f"compiling {built:.0f} s ({cpu / 60:.1f} CPU minutes), with the demo {total:.0f} s; "
-            "packages and body come on top", total < 300)
+    return f"compiling {built:.0f} s ({cpu / 60:.1f} CPU minutes)", 360 < built < 600
 
 
 CLAIMS = [
-    Claim("Five-minute start", build_and_demo),
+    Claim("compiles in some eight minutes on two cores", compile_time),
     Claim("2.4 GB of packages", package_size),
     Claim("an 89 MB body model", body_size),
     Claim("the demo takes some thirty seconds on two cores", demo_seconds),
     Claim("run it again with this build on a processor of this kind, get the same bits", same_bits),
     Claim("net forces on its particles are below a thousandth of their weights", demo_balance),
     Claim("an exact test finds no intersection with the body or with itself", demo_intersections),
-    Claim("Otherwise it is sealed: no maps are made unless asked for, and the exit code is 1", sealed),
+    Claim("Otherwise it is sealed, that is, no maps are made unless asked for, and the exit code is 1", sealed),
     Claim("| file | what it is |", demo_files),
     Claim("Exit codes: 0 good, 1 ran but did not settle or is not worn (validate: a benchmark is "
           "not as stated), 2 bad input or usage, 130 interrupted", exit_codes),

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Install the Debian packages Loosefit is built with; does nothing when all are there.
-# usage: setup_packages.sh [program | slurm]   as root, or as a user who may use sudo
+# usage: setup_packages.sh [program | python | slurm]   as root, or as a user who may use sudo
 #   program: without what only the tests, the benchmarks and the Python module need
+#   python:  the same with what the Python module and its examples need
 #   slurm:   with the workload manager that `make test-slurm` brings up
 set -euo pipefail
 
@@ -13,8 +14,10 @@ packages=(
   xvfb
 )
 [ "${1:-}" = program ] || packages+=(
-  libgtest-dev libbenchmark-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas
+)
+[ "${1:-}" = program ] || [ "${1:-}" = python ] || packages+=(
+  libgtest-dev libbenchmark-dev
   python3-jsonschema python3-ezdxf
   chromium
 )

@@ -1,6 +1,7 @@
 #include "loosefit/body/scan_person.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,18 @@ TEST(ScanPerson, LiesOnTheTwinAndHasItsMeasures) {
                 kTape)
           << mark << ", " << name;
   }
+}
+
+TEST(ScanPerson, HasTheSameBitsOnOneThreadAsOnMany) {
+  const geometry::TriangleMesh scan =
+      as_scan(body_model().build(person(0, 30, 1.68, 0.88, 0.72, 0.97), stances()[1].posture));
+  const auto fit = [&] { return person_from_scan(body_model(), scan, {"scan.obj", "cm", "y"}); };
+  const auto many = fit();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+  const auto one = fit();
+  ASSERT_TRUE(many && one);
+  EXPECT_EQ(one->body.surface.vertices, many->body.surface.vertices);
+  EXPECT_EQ(one->error.p95, many->error.p95);
 }
 
 TEST(ScanPerson, ASmallOldWomanIsNotTakenForAChild) {

@@ -218,6 +218,8 @@ def main():
         work = {name: pool.submit(drape, arguments.binary, out, name, scenarios(name))
                 for name in wanted}
         for name, done in work.items():
+            if done.exception():
+                pool.shutdown(cancel_futures=True)
             results[name] = figures(done.result(), specs[name], places)
             counted = sum("sites" in d or d["settled"] and "left_out" not in d
                           for d in results[name]["drapes"])
@@ -225,7 +227,9 @@ def main():
                   flush=True)
     # At the end: half a study is none, and drapes are kept in the output folder anyway.
     ordered = {key: results[key] for key in ALL if key in results}
-    stored.write_text(json_lines({"places": places, **ordered}) + "\n")
+    half = stored.with_suffix(".half")
+    half.write_text(json_lines({"places": places, **ordered}) + "\n")
+    half.replace(stored)
     if arguments.no_page:
         return
     drape(arguments.binary, out, "reference", [REFERENCE.read_text()])

@@ -95,8 +95,10 @@ class Registration {
     coarse_ = model.rest({}, BodyDetail::coarse).surface.triangles;
     const int step = std::max(1, data_.body_vertices / kSamples);
     for (int v = 0; v < data_.body_vertices; v += step) sampled_.push_back(v);
-    for (std::size_t i = 0; i < samples_.point.size(); ++i)
-      pressed_.push_back(is_pressed(samples_.point[i], samples_.normal[i]));
+    pressed_.resize(samples_.point.size());
+    tbb::parallel_for(std::size_t(0), pressed_.size(), [&](std::size_t i) {
+      pressed_[i] = is_pressed(samples_.point[i], samples_.normal[i]);
+    });
     for (const Vec3& p : scan.vertices) height_ = std::max(height_, p.z());
   }
 

@@ -1,5 +1,7 @@
 #include "loosefit/body/surface_shift.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
@@ -126,7 +128,7 @@ std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& out
   const TriangleMesh mesh{laid.surface, laid.triangles};
   const ClosestPointTree tree(mesh);
   std::vector<char> hidden(std::size_t(count), 0);
-  for (std::size_t v = 0; v < hidden.size(); ++v) {
+  tbb::parallel_for(std::size_t{0}, hidden.size(), [&](std::size_t v) {
     const Vec3 &p = laid.surface[v], &n = outward[v];
     const auto normal_of = [&](int t) -> Vec3 {
       return outward[std::size_t(laid.triangles[std::size_t(t)][0])];
@@ -134,7 +136,7 @@ std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& out
     const auto opposite = [&](int t) { return normal_of(t).dot(n) < -kSameSide; };
     // Ahead, or passed through where the model's flesh does not give way.
     hidden[v] = faces_skin(tree, normal_of, p, n) || tree.query(p, kPassed, opposite).triangle >= 0;
-  }
+  });
   return hidden;
 }
 
@@ -162,13 +164,13 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
   for (const double stiffness : kStiffness) {
     const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
     std::vector<char> pressed = hidden_vertices(laid, outward, data.body_vertices);
-    std::vector<ClosestPoint> closest;
-    for (std::size_t v = 0; v < pressed.size(); ++v) {
+    std::vector<ClosestPoint> closest(pressed.size());
+    tbb::parallel_for(std::size_t{0}, pressed.size(), [&](std::size_t v) {
       const auto faces = [&](int t) { return scan_normal(t).dot(outward[v]) > kSameSide; };
-      const ClosestPoint& c = closest.emplace_back(tree.query(laid.surface[v], kReach, faces));
+      const ClosestPoint& c = closest[v] = tree.query(laid.surface[v], kReach, faces);
       if (c.triangle >= 0 && !pressed[v])
         pressed[v] = faces_skin(tree, scan_normal, c.point, scan_normal(c.triangle));
-    }
+    });
     // Skin that is pressed drags its neighbours along.
     const std::vector<char> touched = pressed;
     for (const auto& [a, b] : edges)

@@ -120,7 +120,7 @@ ClosestPoint ClosestPointTree::query(const Vec3& p, double max_distance,
   if (leaves_.empty()) return best;
   double limit = max_distance * max_distance;
   const auto look_at = [&](const Leaf& l) {
-    if (accept && !accept(l.triangle)) return;  // before the distance, which costs more
+    if (accept && !accept(l.triangle)) return;  // before the distance, which as a rule costs more
     const Vec3 weights = closest_barycentric(p, l.a, l.b, l.c);
     const Vec3 point = weights[0] * l.a + weights[1] * l.b + weights[2] * l.c;
     const double d2 = (p - point).squaredNorm();

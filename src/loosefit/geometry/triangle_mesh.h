@@ -18,8 +18,8 @@ double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Area-weighted unit vertex normals; zero where no triangle touches a vertex.
 std::vector<Vec3> vertex_normals(const std::vector<Vec3>& vertices,
                                  const std::vector<Triangle>& triangles);
-/// Of each triangle the mean of its vertices' normals, of unit length: they turn less from one
-/// triangle to the next than its own.
+/// Of each triangle the mean of its vertices' normals, of unit length, zero where they cancel: they
+/// turn less from one triangle to the next than its own.
 std::vector<Vec3> smooth_normals(const TriangleMesh& mesh);
 /// Signed volume [m³] of a closed surface, positive when oriented outwards.
 double enclosed_volume(const TriangleMesh& mesh);

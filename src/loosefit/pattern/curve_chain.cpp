@@ -28,6 +28,15 @@ double CurveChain::length(int pieces) const {
   return sum;
 }
 
+double CurveChain::length_until(int axis, double level) const {
+  double low = 0, high = length();
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (cut(middle).first.end()[axis] > level ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 CurveChain CurveChain::reversed() const {
   if (curves.empty()) return *this;
   CurveChain back;

@@ -19,6 +19,9 @@ struct CurveChain {
   /// The parts before and after a point that lies so far along [m], 0 < arc < length(); a joint
   /// between two curves that lies there is where they part.
   std::pair<CurveChain, CurveChain> cut(double arc) const;
+  /// Length along the chain to where x (axis 0) or y (1) has fallen to `level` [m].
+  /// \pre it falls through that level once, between its ends.
+  double length_until(int axis, double level) const;
   CurveChain reversed() const;
   CurveChain mirrored() const;  ///< under x → -x
   /// Turned about a point [rad], counter-clockwise.

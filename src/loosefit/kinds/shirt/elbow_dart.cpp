@@ -16,7 +16,7 @@ bool take_elbow_dart(SleeveHalf& front, SleeveHalf& back, double level, double g
   // middle of the half opens by half of what its edge does.
   const double radius = girth / (2 * kPi), intake = 2 * radius * radians(bend);
   if (intake < kLeastIntake) return false;
-  const double down = length_down_to(back.under, 1, level);
+  const double down = back.under.length_until(1, level);
   const auto [above, below] = back.under.cut(down);
   const Vec2 hinge(0, level), mouth = above.end();
   const double angle = 2 * std::asin(0.5 * intake / mouth.x());

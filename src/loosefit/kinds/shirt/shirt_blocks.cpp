@@ -65,7 +65,7 @@ void take_back_dart(TorsoHalf& back, const TorsoLevels& l, double middle) {
   const double mouth = 0.5 * back_hem_mouth(l.back_intake);
   const Vec2 side = back.side.end();
   const pattern::CurveChain closed = draft_hem(side - Vec2(mouth, 0), l.hem_y);
-  const auto [beyond, within] = closed.cut(length_down_to(closed, 0, middle - 0.5 * mouth));
+  const auto [beyond, within] = closed.cut(closed.length_until(0, middle - 0.5 * mouth));
   back.hem = beyond;
   back.hem.start.x() += mouth;
   for (Vec2& k : back.hem.knots) k.x() += mouth;
@@ -156,15 +156,6 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
   }
   if (end_y < hem.y()) side.line_to({hem.x(), end_y});
   return side;
-}
-
-double length_down_to(const pattern::CurveChain& chain, int axis, double level) {
-  double low = 0, high = chain.length();
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (chain.cut(middle).first.end()[axis] > level ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
 }
 
 double back_opening_at_waist(const TorsoLevels& l) {

@@ -76,9 +76,6 @@ double side_shift(const TorsoLevels& levels, bool front);
 /// waist that is asked for or needed.
 pattern::CurveChain draft_side(const TorsoLevels& levels, bool front);
 
-/// Length of a seam or hem to where x (axis 0) or y (1) has fallen to `level`, which it does once.
-double length_down_to(const pattern::CurveChain& chain, int axis, double level);
-
 /// What both darts of the back take in at the waist, so that the girth there is less by the
 /// intake [m]: where sides run straight, also what they are let out by there for the hem.
 double back_opening_at_waist(const TorsoLevels& levels);

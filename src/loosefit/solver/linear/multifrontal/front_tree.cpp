@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <span>
 
+#include "loosefit/base/check.h"
 #include "loosefit/solver/linear/linear_tuning.h"
 
 namespace loosefit::solver {
 namespace {
 
 /// A list of numbers for each of n columns, one after the other.
-struct Lists {
+struct IndexLists {
   std::vector<int> start, entries;
 
   /// Of the pairs (list, entry) that `visit` hands to a function, called twice: to count, to fill.
   template <class Visit>
-  Lists(int n, const Visit& visit) : start(n + 1, 0) {
+  IndexLists(int n, const Visit& visit) : start(n + 1, 0) {
     visit([&](int list, int) { ++start[list + 1]; });
     for (int i = 0; i < n; ++i) start[i + 1] += start[i];
     entries.resize(start[n]);
@@ -29,8 +30,8 @@ struct Lists {
 /// Hands over (row, column), row > column, for every entry of the permuted graph beside the
 /// diagonal.
 template <class Take>
-void permuted(const std::vector<int>& column_start, const std::vector<int>& rows,
-              const std::vector<int>& number, const Take& take) {
+void for_each_permuted_entry(const std::vector<int>& column_start, const std::vector<int>& rows,
+                             const std::vector<int>& number, const Take& take) {
   const int n = static_cast<int>(number.size());
   for (int j = 0; j < n; ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k)
@@ -41,7 +42,7 @@ void permuted(const std::vector<int>& column_start, const std::vector<int>& rows
 }
 
 /// Parent of each column in the elimination tree (Liu 1990), from the columns < row of each row.
-std::vector<int> elimination_tree(int n, const Lists& left) {
+std::vector<int> elimination_tree(int n, const IndexLists& left) {
   std::vector<int> parent(n, -1), ancestor(n, -1);
   for (int i = 0; i < n; ++i)
     for (int j : left[i])
@@ -54,7 +55,7 @@ std::vector<int> elimination_tree(int n, const Lists& left) {
   return parent;
 }
 
-Lists children_of(const std::vector<int>& parent) {
+IndexLists children_of(const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
   return {n, [&](const auto& add) {
             for (int j = 0; j < n; ++j)
@@ -63,7 +64,7 @@ Lists children_of(const std::vector<int>& parent) {
 }
 
 /// Columns, children before parents; the i-th of them has the number i from then on.
-std::vector<int> postorder(const std::vector<int>& parent, const Lists& children) {
+std::vector<int> postorder(const std::vector<int>& parent, const IndexLists& children) {
   const int n = static_cast<int>(parent.size());
   std::vector<int> order, stack, next(n, 0);
   order.reserve(n);
@@ -96,16 +97,16 @@ struct FactorStructure {
   int size(int column) const { return static_cast<int>(end[column] - begin[column]); }
 };
 
-FactorStructure factor_structure(const Lists& below, const std::vector<int>& parent) {
+FactorStructure factor_structure(const IndexLists& below, const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
-  const Lists children = children_of(parent);
+  const IndexLists children = children_of(parent);
   FactorStructure structure;
   structure.begin.resize(n);
   structure.end.resize(n);
   structure.joins.assign(n, 0);
   std::vector<int>& entries = structure.entries;
   std::vector<int> mark(n, -1);
-  int head = -1;  // column whose list the one before shares; its rows are marked with it
+  int head = -1;  // column that the list in work was made for; its rows are marked with it
   for (int j = 0; j < n; ++j) {
     const auto is_marked = [&](int i) { return mark[i] == head; };
     if (j > 0 && parent[j - 1] == j && children[j].size() == 1 &&
@@ -116,14 +117,14 @@ FactorStructure factor_structure(const Lists& below, const std::vector<int>& par
       continue;
     }
     head = j;
-    mark[j] = j;
     structure.begin[j] = entries.size();
     const auto take = [&](int i) {
-      if (mark[i] == j || i == j) return;
+      if (mark[i] == j) return;
       mark[i] = j;
       entries.push_back(i);
     };
     for (int i : below[j]) take(i);
+    mark[j] = j;  // the first row of its children, not one of its own
     for (int c : children[j])
       for (std::size_t k = structure.begin[c]; k < structure.end[c]; ++k) take(entries[k]);
     structure.end[j] = entries.size();
@@ -163,18 +164,27 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
   invert();
   std::vector<int> parent(n);
   {
-    const std::vector<int> given = elimination_tree(
-        n, {n, [&](const auto& add) { permuted(column_start, rows, tree.number, add); }});
-    const std::vector<int> post = postorder(given, children_of(given));
+    const std::vector<int> tree_of_order =
+        elimination_tree(n, {n, [&](const auto& add) {
+                               for_each_permuted_entry(column_start, rows, tree.number, add);
+                             }});
+    const std::vector<int> post = postorder(tree_of_order, children_of(tree_of_order));
     // Renumbering by a postorder leaves the elimination tree as it is (Liu 1990).
     std::vector<int> composed(n), renumbered(n);
-    for (int k = 0; k < n; ++k) composed[k] = tree.order[post[k]], renumbered[post[k]] = k;
-    for (int k = 0; k < n; ++k) parent[k] = given[post[k]] < 0 ? -1 : renumbered[given[post[k]]];
+    for (int k = 0; k < n; ++k) {
+      composed[k] = tree.order[post[k]];
+      renumbered[post[k]] = k;
+    }
+    for (int k = 0; k < n; ++k) {
+      const int above = tree_of_order[post[k]];
+      parent[k] = above < 0 ? -1 : renumbered[above];
+    }
     tree.order = std::move(composed);
     invert();
   }
-  const Lists below(n, [&](const auto& add) {
-    permuted(column_start, rows, tree.number, [&](int row, int column) { add(column, row); });
+  const IndexLists below(n, [&](const auto& add) {
+    for_each_permuted_entry(column_start, rows, tree.number,
+                            [&](int row, int column) { add(column, row); });
   });
   const FactorStructure structure = factor_structure(below, parent);
 
@@ -231,7 +241,8 @@ FrontTree build_front_tree(const std::vector<int>& column_start, const std::vect
         front.place.push_back(row - above.first);
         continue;
       }
-      while (above.rows[k] < row) ++k;
+      while (above.rows[k] < row) ++k;  // its rows are among those of the parent
+      LOOSEFIT_ASSERT(above.rows[k] == row);
       front.place.push_back(above.columns + static_cast<int>(k));
     }
   }

@@ -88,26 +88,31 @@ void SparseCholesky<Real>::Work::analyse(const particles::BlockMatrix& matrix) {
     subtree_flops[f] += front.flops();
     if (front.parent >= 0) subtree_flops[front.parent] += subtree_flops[f];
   }
+  const auto front_of_block = [&](int column, int k) {
+    return tree.front_of[std::min(tree.number[column], tree.number[rows[k]])];
+  };
   entry_start.assign(fronts + 1, 0);
   for (int j = 0; j < matrix.particles(); ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k)
-      ++entry_start[tree.front_of[std::min(tree.number[j], tree.number[rows[k]])] + 1];
+      ++entry_start[front_of_block(j, k) + 1];
   for (std::size_t f = 0; f < fronts; ++f) entry_start[f + 1] += entry_start[f];
+  entries.clear();  // before it grows: nothing of it is copied
   entries.resize(entry_start[fronts]);
   std::vector<std::size_t> next(entry_start.begin(), entry_start.end() - 1);
   for (int j = 0; j < matrix.particles(); ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k) {
       const int a_number = tree.number[j], b_number = tree.number[rows[k]];
       const auto [low, high] = std::minmax(a_number, b_number);
-      const int f = tree.front_of[low];
+      const int f = front_of_block(j, k);
       const Front& front = tree.fronts[f];
       Entry e{k, rows[k], j, 0, low - front.first, b_number < a_number};
       if (high < front.first + front.columns)
         e.row = high - front.first;
-      else
-        e.row = front.columns +
-                static_cast<int>(std::lower_bound(front.rows.begin(), front.rows.end(), high) -
-                                 front.rows.begin());
+      else {
+        const auto at = std::lower_bound(front.rows.begin(), front.rows.end(), high);
+        LOOSEFIT_ASSERT(at != front.rows.end() && *at == high);
+        e.row = front.columns + static_cast<int>(at - front.rows.begin());
+      }
       entries[next[f]++] = e;
     }
   factor.clear();
