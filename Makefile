@@ -76,7 +76,7 @@ validate: setup
 # A study as job arrays of Slurm, on this machine as a cluster; as root or with sudo.
 test-slurm: setup
 	@tools/setup_packages.sh slurm
-	@$(if $(filter 0,$(shell id -u)),,sudo) python3 tests/slurm/slurm_test.py $(LOOSEFIT)
+	@$(if $(filter 0,$(shell id -u)),,sudo) python3 tests/slurm/slurm_test.py $(LOOSEFIT) --people 5 --kills 3
 
 test: setup
 	@cmake --build $(BUILD) -j $(JOBS)
@@ -124,5 +124,6 @@ fuzz: packages
 	@ASAN_OPTIONS=detect_leaks=0 python3 tools/run_fuzz.py $(FUZZ_BUILD)/bin/test_io --cases $(FUZZ_CASES) \
 	  --table $(FUZZ_TABLE) --build "preset $(FUZZ_PRESET)"
 
+# What the compiler made. Outputs stay: out/ holds what users made, too.
 clean:
-	rm -rf build build-package build-debug build-asan out
+	rm -rf build build-package build-debug build-asan

@@ -23,7 +23,7 @@ add_test(NAME library_outside_the_tree COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJEC
   -P ${PROJECT_SOURCE_DIR}/tests/library/install_test.cmake)
 
 add_test(NAME study_kills
-  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/kill_test.py $<TARGET_FILE:loosefit> --people 1)
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/kill_test.py $<TARGET_FILE:loosefit> --people 1 --kills 3)
 set_tests_properties(study_kills PROPERTIES SKIP_RETURN_CODE 77)  # where no full disk can be made
 add_test(NAME study_read_only
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/read_only_test.py $<TARGET_FILE:loosefit>)

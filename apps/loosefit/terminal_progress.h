@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <chrono>
+#include <csignal>
 #include <string>
 
 #include "loosefit/base/progress.h"
@@ -31,13 +33,17 @@ class TerminalProgress : public Progress {
 };
 
 /// While it lives, Ctrl-C (and SIGTERM, SIGHUP) asks `progress` to stop instead of ending the
-/// process, so that the work can leave nothing half-written.
+/// process, so that the work can leave nothing half-written. A signal that whoever started the
+/// program has it ignore (nohup; jobs of a script that run beside it) stays ignored.
 class InterruptGuard {
  public:
   explicit InterruptGuard(Progress& progress);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  std::array<struct sigaction, 3> before_;
 };
 
 }  // namespace loosefit

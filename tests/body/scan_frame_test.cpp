@@ -42,5 +42,19 @@ TEST(ScanFrame, PersonsWhoStandStraightStayAsTheyAre) {
   EXPECT_TRUE(warnings.empty());
 }
 
+// 66 in, said to be cm: nobody is refused who may be a small child, but it is told.
+TEST(ScanFrame, AStatedUnitThatMakesFewPeopleIsTold) {
+  const Body known = body_model().build(fit_body(body_model(), {}).parameters, {radians(30), 0, 0});
+  const double tall = known.measured.at("height");
+  geometry::TriangleMesh mesh = known.surface;
+  for (Vec3& p : mesh.vertices) p *= 66 / tall;
+  std::vector<std::string> warnings;
+  stand_in_our_frame(mesh, {"scan.obj", "cm", "z"}, warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("a height of 0.66 m is that of few people"), std::string::npos)
+      << warnings[0];
+  EXPECT_NE(warnings[0].find("1.68 m if these are in"), std::string::npos) << warnings[0];
+}
+
 }  // namespace
 }  // namespace loosefit::body

@@ -177,6 +177,17 @@ TEST_F(CommandLine, UnsettledRunIsSealedAndReturnsOne) {
   EXPECT_TRUE(fs::exists(base / "out/report.html")) << "untouched files stay";
 }
 
+// As under nohup: the terminal goes, the run does not.
+TEST_F(CommandLine, ASignalThatIsIgnoredFromTheStartEndsNothing) {
+  const std::string out = (base / "out").string();
+  const ProgramRun run = run_program("sh -c 'trap \"\" HUP; " + std::string(LOOSEFIT_BINARY) +
+                                     " run " + file("case.toml", kStopped) + " --no-pictures -o " +
+                                     out + " & p=$!; sleep 0.3; kill -HUP $p; wait $p'");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_EQ(run.output.find("interrupted"), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(base / "out/summary.json"));
+}
+
 TEST_F(CommandLine, RankWritesItsFilesBesideTheRunAndRefusesTheRest) {
   const std::string out = (base / "out").string();
   const std::string text = std::string(kStopped) +

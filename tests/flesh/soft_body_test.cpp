@@ -117,6 +117,9 @@ TEST(SoftBody, WhatOverlapsAtRestDoesNotKeepTheRestOfTheFleshFromGivingWay) {
   for (const body::Posture& posture : {hanging, body::Posture{radians(10), 0, 0}})
     for (const auto& pair : overlaps_of(person.in(posture)))
       EXPECT_TRUE(known.count(pair)) << pair.first << " " << pair.second;
+  EXPECT_TRUE(person.left_in(person.in(hanging)).empty());
+  EXPECT_EQ(int(SoftBody(body_model(), old).left_in(body_model().build(old, hanging)).size()),
+            built);
 }
 
 TEST(SoftBody, PosturesOutOfRangeAreRefused) {

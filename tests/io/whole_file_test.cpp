@@ -49,5 +49,11 @@ TEST_F(WholeFile, ReplacesALinkNotWhatItLeadsTo) {
   EXPECT_FALSE(fs::is_symlink(folder / "c.png"));
 }
 
+TEST_F(WholeFile, ReplacesNoDevice) {
+  fs::create_symlink("/dev/null", folder / "d.png");
+  EXPECT_THROW(write_whole_file(folder / "d.png", "x", true), InvalidInput);
+  EXPECT_TRUE(fs::is_symlink(folder / "d.png"));
+}
+
 }  // namespace
 }  // namespace loosefit::io

@@ -142,6 +142,21 @@ TEST(CaseEase, StrainBeyondItsRangeIsToldWithShareLargestAndRange) {
   EXPECT_TRUE(strain_range_warnings(range, card).empty());
 }
 
+// Constants of one's own have no range: what they cannot tell is said where it would matter.
+TEST(CaseEase, StrainWithoutAStatedRangeIsTold) {
+  maps::StrainRange range;
+  scenario::MaterialCard card;
+  card.material.name = "mine";
+  range.warp = {.limit = 0, .largest = 0.74, .share_beyond = 0};
+  range.weft = {.limit = 0, .largest = 0.02, .share_beyond = 0};
+  const auto lines = strain_range_warnings(range, card);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("along the warp by up to 74 %"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("valid_strain_warp"), std::string::npos) << lines[0];
+  range.warp.limit = 0.8;
+  EXPECT_TRUE(strain_range_warnings(range, card).empty());
+}
+
 TEST(CaseEase, PressureBeyondComfortIsToldWithItsPlace) {
   CaseMaps maps;
   maps.pressure.field.contact = {5000, 12000, 3900, 0};

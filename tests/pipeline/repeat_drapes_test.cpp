@@ -10,6 +10,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pipeline/case_files.h"
+#include "loosefit/pipeline/case_warnings.h"
 #include "loosefit/pipeline/load_case.h"
 #include "loosefit/pipeline/run_case.h"
 #include "loosefit/pipeline/summary.h"
@@ -99,10 +100,23 @@ TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {
 }
 
 TEST_F(RepeatDrapes, OnlyWhatEveryDrapeHasIsSpread) {
-  const CaseResult result = repeated("", "[postures]\nlist = [\"a-pose\", \"forward-bend-15\"]\n");
+  CaseResult result = repeated("", "[postures]\nlist = [\"a-pose\", \"forward-bend-15\"]\n");
   EXPECT_FALSE(result.repeats.spread.contains("maps.slip_mm.area_mean")) << "of one drape alone";
   ASSERT_TRUE(result.repeats.spread.contains("maps.distance_mm.area_mean"));
   for (const auto& [key, spread] : result.repeats.spread) EXPECT_EQ(spread.count, 3) << key;
+
+  const auto warns = [&](const std::string& of) {
+    return std::ranges::any_of(case_warnings(result), [&](const std::string& warning) {
+      return warning.find(of) != std::string::npos;
+    });
+  };
+  result.scenario.simulation.start_perturbation = 0;
+  EXPECT_FALSE(warns("repeats begin alike")) << "what movements draw differs";
+  result.scenario.donning.movement_spread = 0;
+  EXPECT_TRUE(warns("repeats begin alike"));
+  EXPECT_FALSE(warns("has no skin under it"));
+  result.sites.at(0).not_covering = "the cloth hangs 200 mm off the skin there";
+  EXPECT_TRUE(warns("site mid has no skin under it: the cloth hangs 200 mm off"));
 }
 
 TEST_F(RepeatDrapes, SpreadsOfAScenarioThatHasChangedAreLeftOutWithAWarning) {

@@ -7,9 +7,8 @@
 namespace loosefit::pipeline {
 namespace {
 
-TEST(TankTopWorn, HangsByItsStrapsOnWomanManAndChild) {
-  for (const char* body : {"sex = \"female\"\n", "sex = \"male\"\nheight = 1.80\n",
-                           "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
+TEST(TankTopWorn, HangsByItsStrapsOnWomanAndChild) {
+  for (const char* body : {"sex = \"female\"\n", "sex = 0.4\nage = 9\nheight = 1.35\n"}) {
     SCOPED_TRACE(body);
     const CaseResult result = support::only_draped(
         "[body]\n" + std::string(body) +

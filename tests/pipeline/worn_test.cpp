@@ -438,6 +438,40 @@ TEST(Worn, PosturesAreComparedInOpeningsOfUnusualCutsAlone) {
   EXPECT_TRUE(alike(shirt().mesh(), {0, 0, 3})) << "why_not_worn knows what its openings are for";
 }
 
+// What a hole in the breast is for nobody knows; the open front of a jacket has a question of its
+// own.
+TEST(Worn, AnOpeningThatNobodyAsksOfIsTold) {
+  const Jacket jacket;
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  const auto unjudged = [&](const garment::Garment& mesh) {
+    return drape::unjudged_openings(mesh, shirt().pattern, x, woman());
+  };
+  EXPECT_EQ(unjudged(shirt().mesh()), "");
+  EXPECT_EQ(drape::unjudged_openings(jacket.mesh, jacket.pattern, x, woman()), "");
+  garment::Garment holed = shirt().mesh();
+  const std::vector<Vec3> flat = drape::placed_by_pattern(holed, shirt().pattern);
+  const double breast = woman()->joints.at("shoulder_L").z() - 0.2;
+  std::vector<std::size_t> kept;
+  for (std::size_t t = 0; t < holed.triangles.size(); ++t) {
+    const Triangle& c = holed.triangles[t];
+    const Vec3 middle = (flat[c[0]] + flat[c[1]] + flat[c[2]]) / 3;
+    if (middle.y() > 0 || std::abs(middle.x()) > 0.05 || std::abs(middle.z() - breast) > 0.05)
+      kept.push_back(t);
+  }
+  ASSERT_LT(kept.size(), holed.triangles.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    holed.triangles[k] = holed.triangles[kept[k]];
+    holed.triangle_uv[k] = holed.triangle_uv[kept[k]];
+    holed.triangle_panel[k] = holed.triangle_panel[kept[k]];
+  }
+  holed.triangles.resize(kept.size());
+  holed.triangle_uv.resize(kept.size());
+  holed.triangle_panel.resize(kept.size());
+  const std::string told = unjudged(holed);
+  EXPECT_NE(told.find("an opening is for is not known"), std::string::npos) << told;
+  EXPECT_NE(told.find("m round at front"), std::string::npos) << told;
+}
+
 TEST(Worn, AnUnusualCutIsAskedInShareOfItsWearer) {
   using namespace testing_support;
   const body::Body child = support::standing(support::slim_child_parameters(), 40);

@@ -217,8 +217,14 @@ TEST_F(StudyOnDisk, APlanThatTheProgramDidNotWriteIsRefusedWithTheKey) {
 TEST_F(StudyOnDisk, AScenarioThatSomebodyChangedIsWrittenAnew) {
   const StudyFolder folder = planned("a");
   const std::string file = folder.scenario_file(plan.cases[1].address).string();
-  io::write_text_file(file, "[garment]\npattern = \"trousers\"\n");
-  folder.write_plan(plan);
+  const std::string mine = "[garment]\npattern = \"trousers\"\n";
+  io::write_text_file(file, mine);
+  EXPECT_EQ(set_aside_by(folder, plan), Paths{file + ".changed-1"});
+  EXPECT_EQ(io::read_text_file(file, 1000000), plan.cases[1].toml);
+  EXPECT_EQ(io::read_text_file(file + ".changed-1", 1000000), mine);
+  // What changes no result is the same case.
+  io::write_text_file(file, plan.cases[1].toml + "# seen\n");
+  EXPECT_TRUE(set_aside_by(folder, plan).empty());
   EXPECT_EQ(io::read_text_file(file, 1000000), plan.cases[1].toml);
 }
 

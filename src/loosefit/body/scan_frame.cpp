@@ -54,7 +54,12 @@ double metres_per_unit(double stature, const ScanOptions& options,
     for (const auto& unit : kUnits) {
       if (options.units != unit.name) continue;
       const double metres = stature * unit.metres;
-      if (metres >= kShortest && metres <= kTallest) return unit.metres;
+      if (metres >= kLikelyShortest && metres <= kLikelyTallest) return unit.metres;
+      if (metres >= kShortest && metres <= kTallest) {
+        warnings.push_back(fmt::format("a height of {:.3g} m is that of few people: it would be {}",
+                                       metres, heights(stature)));
+        return unit.metres;
+      }
       throw InvalidInput(
           place, fmt::format("a height of {:.3g} m with units = \"{}\"", metres, options.units),
           fmt::format("a standing person of {:g} to {:g} m", kShortest, kTallest),

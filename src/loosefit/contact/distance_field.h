@@ -40,7 +40,6 @@ class DistanceField {
   /// Whether the region needed more nodes than FieldTuning::max_nodes, so that the grid is coarser
   /// than was asked for: contact is then less exact, and callers should tell.
   bool is_coarsened() const { return spacing_ > requested_spacing_; }
-  double requested_spacing() const { return requested_spacing_; }  ///< [m]
   /// Distance up to which every place on the grid is interpolated [m].
   double smooth_reach() const;
 

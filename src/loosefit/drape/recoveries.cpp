@@ -96,8 +96,10 @@ void halve_step(ClothState& state) { state.step.length /= 2; }
 void settle_longer(ClothState& state) {
   const FollowTuning& tuning = state.tuning.follow;
   const StepPlan& plan = tuning.plan;
-  state.settle(
-      {tuning.lagging * plan.tolerance, tuning.longer * plan.iterations, tuning.first_dt, true});
+  state.settle({.tolerance = tuning.lagging * plan.tolerance,
+                .max_iterations = tuning.longer * plan.iterations,
+                .first_dt = tuning.first_dt,
+                .preparing = true});
 }
 
 void renew_field(ClothState& state) {

@@ -74,8 +74,10 @@ bool is_caught(ClothState& state, double deepest) {
     // What was carried lies deep in the layer here and there: all of it would throw the cloth off.
     if (!state.is_as_worn())
       state.model->set_hardening(state.tuning.penetrations.look_hardening.front());
-    state.settle({tuning.plan.tolerance, tuning.longer * tuning.plan.iterations,
-                  tuning.finest_first_dt, true});
+    state.settle({.tolerance = tuning.plan.tolerance,
+                  .max_iterations = tuning.longer * tuning.plan.iterations,
+                  .first_dt = tuning.finest_first_dt,
+                  .preparing = true});
     deepest = depth_in_skin(state.x, state.body->body);
   }
   if (!(deepest > tuning.caught_depth)) return false;

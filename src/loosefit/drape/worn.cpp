@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "loosefit/base/text.h"
 #include "loosefit/drape/hood_seam.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
@@ -82,6 +83,18 @@ class Verdict {
   const std::vector<std::string>& risen() {
     reasons(true);
     return risen_;
+  }
+
+  /// Openings that no question is asked of, by girth and a piece that they lie on.
+  std::string unjudged() {
+    reasons(true);
+    std::vector<std::string> found;
+    for (const Opening& o : openings_)
+      if (o.use == kinds::OpeningUse::unknown && !is_open_front(o))
+        found.push_back(fmt::format("{:.2f} m round at {}", o.girth, printable(piece_at(o))));
+    if (found.empty()) return {};
+    return fmt::format("what {} for is not known, and what goes through was not asked: {}",
+                       found.size() == 1 ? "an opening is" : "some openings are", join(found));
   }
 
   /// Whether every opening that no other question is asked of has the limbs through it that it has
@@ -276,6 +289,27 @@ class Verdict {
       say("the back of the neck has slid off the shoulders");
   }
 
+  /// The edge of a jacket that check_open_front asks of.
+  bool is_open_front(const Opening& edge) const {
+    return std::ranges::none_of(
+               openings_,
+               [&](const Opening& o) {
+                 return o.piece == edge.piece &&
+                        (o.use == kinds::OpeningUse::neck ||
+                         (o.use == kinds::OpeningUse::unknown && o.girth > edge.girth));
+               }) &&
+           std::ranges::any_of(
+               openings_, [&](const Opening& o) { return o.piece == edge.piece && is_arm(o); });
+  }
+
+  /// Name of a piece with the first vertex of an opening.
+  std::string piece_at(const Opening& o) const {
+    for (std::size_t t = 0; t < garment_.triangles.size(); ++t)
+      if (std::ranges::count(garment_.triangles[t], o.loop.front()) > 0)
+        return garment_.panel_names[garment_.triangle_panel[t]];
+    return {};
+  }
+
   static bool is_arm(const Opening& o) {
     return o.use == kinds::OpeningUse::left_arm || o.use == kinds::OpeningUse::right_arm;
   }
@@ -414,6 +448,11 @@ std::vector<std::string> risen_waists(const garment::Garment& garment,
                                       const pattern::Pattern& pattern, const std::vector<Vec3>& x,
                                       const body::PosedBody& body) {
   return Verdict(garment, pattern, x, body).risen();
+}
+
+std::string unjudged_openings(const garment::Garment& garment, const pattern::Pattern& pattern,
+                              const std::vector<Vec3>& x, const body::PosedBody& body) {
+  return Verdict(garment, pattern, x, body).unjudged();
 }
 
 bool worn_alike(const garment::Garment& garment, const pattern::Pattern& pattern,

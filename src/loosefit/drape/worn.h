@@ -43,6 +43,12 @@ std::vector<std::string> risen_waists(const garment::Garment& garment,
                                       const pattern::Pattern& pattern, const std::vector<Vec3>& x,
                                       const body::PosedBody& body);
 
+/// Openings of an unusual cut, of which why_not_worn does not know what they are for and so does
+/// not ask what goes through them, in one sentence; empty without any and for bodies without
+/// joints.
+std::string unjudged_openings(const garment::Garment& garment, const pattern::Pattern& pattern,
+                              const std::vector<Vec3>& x, const body::PosedBody& body);
+
 /// Whether the openings of an unusual cut, of which why_not_worn does not know what they are for,
 /// have the same limbs through them at x on `body` as at `first` on the same person in
 /// `first_body`; true for bodies without joints. A limb in the sleeve of an opening counts.

@@ -123,12 +123,10 @@ SoftBody::CachedDisplacement SoftBody::led_from(const CachedDisplacement& start,
   SoftSkin skin(patch, patch.of(rest_), patch.of(surface), target);
   const int steps = static_cast<int>(std::ceil(turn_between(start.posture, posture) / kStep));
   for (int k = 1; k < steps; ++k) {
-    skin.follow(patch.of(built(body::blend(start.posture, posture, double(k) / steps))));
-    if (!progress) continue;
-    progress->check_cancelled();
-    progress->update(double(k) / steps, "");
+    skin.follow(patch.of(built(body::blend(start.posture, posture, double(k) / steps))), progress);
+    if (progress) progress->update(double(k) / steps, "");
   }
-  skin.follow(patch.of(body.surface.vertices));
+  skin.follow(patch.of(body.surface.vertices), progress);
   CachedDisplacement there{posture, patch.vertex, skin.positions()};
   for (std::size_t i = 0; i < there.moved.size(); ++i) there.moved[i] -= skin.target()[i];
   return there;
@@ -157,6 +155,14 @@ void SoftBody::merge_cache(const SoftBody& copy) {
                     [p = &posture](const auto& own) { return own.first == *p; });
     if (!remembered && remembered_.size() < kRemembered) remembered_.emplace_back(posture, body);
   }
+}
+
+Overlaps SoftBody::left_in(const body::Body& posed) {
+  Overlaps left = overlaps_of(posed);
+  if (left.empty()) return left;
+  if (cached_.empty()) nearest({});  // knows the creases from then on
+  std::erase_if(left, [&](const auto& pair) { return overlaps_at_rest_.count(pair) > 0; });
+  return left;
 }
 
 bool SoftBody::is_free(const Overlaps& overlaps) const {

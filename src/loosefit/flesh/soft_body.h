@@ -43,6 +43,11 @@ class SoftBody {
   /// there is one. \throws as BodyModel::build, Cancelled.
   body::PosedBody in(const body::Posture& posture, Progress* progress = nullptr);
 
+  /// Pairs of triangles of this person's skin in some posture that pass through each other, though
+  /// flesh has given way: none in most, as none of trunk, arms and thighs may; those of creases
+  /// that are there at rest are left out.
+  Overlaps left_in(const body::Body& posed);
+
   /// As BodyModel::build: flesh has not given way.
   body::Body as_built(const body::Posture& posture) const { return model_.posed(shape(), posture); }
   /// The vertices of its surface.

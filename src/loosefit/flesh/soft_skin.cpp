@@ -60,7 +60,7 @@ contact::SelfContact::Options SoftSkin::folds(const particles::VectorField& rest
   return options;
 }
 
-void SoftSkin::follow(particles::VectorField target) {
+void SoftSkin::follow(particles::VectorField target, Progress* progress) {
   particles::VectorField way(x_.size());
   for (std::size_t i = 0; i < x_.size(); ++i) way[i] = target[i] - springs_.target()[i];
   const double share = contact_.max_step(x_, way);
@@ -70,6 +70,11 @@ void SoftSkin::follow(particles::VectorField target) {
   options.tolerance = 1;
   options.max_iterations = kMostIterations;
   options.first_dt = kStatic;
+  // Where much is folded an iteration takes a second.
+  options.watch = [&](int, double) {
+    if (progress) progress->check_cancelled();
+    return false;
+  };
   solver::make_quasi_static(system_)->settle(x_, options);
 }
 

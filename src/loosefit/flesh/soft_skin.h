@@ -1,4 +1,5 @@
 #pragma once
+#include "loosefit/base/progress.h"
 #include "loosefit/body/facing_skin.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/flesh/skin_patch.h"
@@ -18,7 +19,8 @@ class SoftSkin {
   SoftSkin& operator=(const SoftSkin&) = delete;
 
   /// Moves the targets, takes the skin along as far as it meets nothing, and lets it settle.
-  void follow(particles::VectorField target);
+  /// \throws Cancelled by `progress`, if there is one.
+  void follow(particles::VectorField target, Progress* progress = nullptr);
   const particles::VectorField& positions() const { return x_; }
   const particles::VectorField& target() const { return springs_.target(); }
 

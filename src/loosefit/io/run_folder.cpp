@@ -189,6 +189,13 @@ void RunFolder::commit() {
     } catch (const IoError&) {
       if (!is_there(target_)) throw;  // else another process was quicker
     }
+    if (done) {
+      try {
+        sync_to_disk(target_.parent_path());
+      } catch (const IoError&) {
+        staging_->keep();  // a loss of power may bring the hidden folder's new files back
+      }
+    }
   }
   if (!done) {
     Replacement wish;

@@ -28,6 +28,8 @@ void check_whole_file(const std::filesystem::path& file, bool may_replace) {
                   ", expected one that is there");
   if (std::filesystem::is_directory(file, error))
     throw InvalidInput({file.string(), 0, ""}, "a folder", "the name of a file");
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error))
+    throw InvalidInput({file.string(), 0, ""}, "a device or a pipe", "the name of a file");
   if (!may_replace && is_there(file))
     throw InvalidInput({file.string(), 0, ""}, "a file that is there already",
                        "a free name, or --overwrite");

@@ -15,6 +15,7 @@ namespace {
 /// Share of the cloth beyond a range from which on it is said [–]: a triangle or two at a corner
 /// say nothing of the garment.
 constexpr double kToldShare = 0.001;
+constexpr double kUnjudgedStrain = 0.15;  ///< from which on a range that is not stated is missed
 
 /// Skin pressed beyond comfort from which on it is said [m²]: less is a fold in the armpit.
 constexpr double kToldPressedArea = 10e-4;
@@ -149,6 +150,12 @@ std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
   look("weft", range.weft, 100, " %");
   look("shear", range.shear, degrees(1.0), "°");
   std::vector<std::string> lines;
+  for (const auto& [name, d] : {std::pair{"warp", &range.warp}, {"weft", &range.weft}})
+    if (!d->is_stated() && d->largest > kUnjudgedStrain)
+      lines.push_back(fmt::format(
+          "strained along the {0} by up to {1:.0f} %, and no range is stated for it "
+          "(valid_strain_{0}): whether the constants hold there, or it would tear, is not judged",
+          name, 100 * d->largest));
   if (!beyond.empty())
     lines.push_back("strained beyond the range in which the constants of " +
                     printable(card.material.name) + " hold: " + join(beyond));

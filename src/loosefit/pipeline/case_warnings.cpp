@@ -9,8 +9,10 @@
 #include "loosefit/base/text.h"
 #include "loosefit/drape/worn.h"
 #include "loosefit/drape/worn_way.h"
+#include "loosefit/flesh/soft_body.h"
 #include "loosefit/pipeline/case_ease.h"
 #include "loosefit/pipeline/case_sewn_parts.h"
+#include "loosefit/placement/site_points.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -20,6 +22,27 @@ using Lines = std::vector<std::string>;
 void add(Lines& all, const std::string& stage, const Lines& warnings,
          const std::string& garment = "") {
   for (const std::string& text : warnings) all.push_back(stage + ": " + garment + text);
+}
+
+/// Of skin that passes through itself in a posture, where flesh could not give way far enough.
+void add_passing_skin(Lines& all, const CaseResult& result) {
+  if (!result.body.person) return;  // as scanned: checked when it was read
+  const auto tell = [&](const body::PosedBody& body, const std::string& where) {
+    const flesh::Overlaps left = result.body.person->left_in(body);
+    if (left.empty()) return;
+    std::map<body::Region, int> count;
+    for (const auto& pair : left)
+      ++count[body.regions()[std::size_t(body->surface.triangles[std::size_t(pair.first)][0])]];
+    const auto most = std::ranges::max_element(count, {}, [](const auto& c) { return c.second; });
+    all.push_back(fmt::format(
+        "body: {} pairs of triangles of the skin pass through each other{}, most near {}: flesh "
+        "could not give way far enough, and distances and pressures there are unreliable",
+        left.size(), where, body::name(most->first)));
+  };
+  tell(result.body.body, "");
+  for (std::size_t p = 0; p < result.wear.bodies.size(); ++p)
+    if (static_cast<int>(p) != StateId::kReferencePosture)
+      tell(result.wear.bodies[p], " in " + result.wear.postures[p]);
 }
 
 /// Of patterns and materials; the studied garment first.
@@ -49,7 +72,10 @@ std::map<std::string, Lines> way_of_wearing(const CaseGarment& garment, const dr
   if (!way.inside_out.empty()) told["inside out"] = {way.inside_out};
   if (!way.turned.empty()) told["turned"] = {way.turned};
   if (!way.upside_down.empty()) told["upside down"] = {way.upside_down};
-  std::erase_if(told, [](const auto& entry) { return entry.second.empty(); });
+  told["unjudged"] = {
+      drape::unjudged_openings(garment.mesh(), garment.pattern.pattern, drape.positions, body)};
+  std::erase_if(
+      told, [](const auto& entry) { return entry.second.empty() || entry.second.front().empty(); });
   return told;
 }
 
@@ -104,6 +130,21 @@ void add_fit(Lines& all, const CaseResult& result) {
   }
 }
 
+/// Drapes that differ in nothing that is drawn have no spread.
+Lines alike_warnings(const scenario::Scenario& scenario) {
+  const scenario::ScenarioDonning& d = scenario.donning;
+  const bool moves_alike = d.movements.empty() || d.movement_spread == 0;
+  Lines lines;
+  if (scenario.simulation.repeats > 1 && scenario.simulation.start_perturbation == 0 && moves_alike)
+    lines.push_back(
+        "repeats begin alike, as start_perturbation is 0: that they do not differ says nothing");
+  if (d.repeats > 1 && d.shift == 0 && d.twist == 0 && d.friction_spread == 0 && moves_alike)
+    lines.push_back(
+        "donnings are alike, as shift, twist_deg, friction_spread and what movements draw are 0: "
+        "that they do not differ says nothing");
+  return lines;
+}
+
 void add_certificate(Lines& all, const drape::Certificate& certificate) {
   if (!certificate.settled())
     all.push_back(
@@ -149,11 +190,16 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
     return std::ranges::count(result.body.dressing_warnings, text) > 0;
   });
   add(all, "body", of_donnings);
+  add_passing_skin(all, result);
   add_garments(all, result);
   add_fit(all, result);
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)
       all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);
+  const std::vector<std::string> presets = placement::preset_names();
+  for (const placement::Site& site : result.sites)
+    if (!site.not_covering.empty() && std::ranges::count(presets, site.name) == 0)
+      all.push_back("placement: site " + site.name + " has no skin under it: " + site.not_covering);
   for (const placement::UncoveredSite& line : result.lines_left_out)
     all.push_back("placement: line " + line.name + " is left out: " + line.why);
   add_certificate(all, result.certificate());
@@ -163,6 +209,7 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
         "than asked for, since the cloth takes up so much room: contact is less exact",
         1e3 * spacing));
   add(all, "settle", result.repeats.warnings);
+  add(all, "settle", alike_warnings(result.scenario));
   if (result.scenario.simulation.repeats > 1 && result.repeats.spread.empty())
     all.push_back("settle: no spread over repeats: it takes two drapes from different starts");
   const Lines states = state_warnings(result);

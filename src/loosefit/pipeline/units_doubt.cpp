@@ -13,7 +13,7 @@
 namespace loosefit::pipeline {
 namespace {
 
-constexpr double kLoosest = 2.2, kTightest = 0.5;        // garment over body
+constexpr double kLoosest = 2.2, kTightest = 0.6;        // garment over body
 constexpr double kNobodyLarge = 5, kNobodySmall = 0.45;  // beyond them nothing can be worn
 constexpr double kUsualEase = 1.1;                       // garment over body
 constexpr double kLongest = 3, kShortest = 0.12;         // of a largest piece [m]

@@ -7,7 +7,7 @@
 #include "loosefit/io/pattern_svg.h"
 #include "loosefit/io/read_pattern.h"
 #include "loosefit/io/seams_file.h"
-#include "loosefit/io/text_file.h"
+#include "loosefit/io/whole_file.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::report {
@@ -100,9 +100,9 @@ WrittenProposals write_seam_proposals(const fs::path& pattern_file, const io::Pa
                        "no two edges that may be one seam", "edges of like lengths",
                        "write NAME.seams.toml by hand, with the edges that --output draws");
   const std::string picture = seam_sheet_svg(file.pattern, written.proposals);
-  io::write_text_file(written.picture.string(), picture);
+  io::write_whole_file(written.picture, picture, false);
   try {
-    io::write_text_file(written.seams.string(), io::seams_text(file.pattern, written.proposals));
+    io::write_whole_file(written.seams, io::seams_text(file.pattern, written.proposals), false);
   } catch (...) {
     std::error_code ignored;
     fs::remove(written.picture, ignored);

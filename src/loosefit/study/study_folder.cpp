@@ -14,7 +14,9 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/study/plan.h"
 
 namespace loosefit::study {
 namespace fs = std::filesystem;
@@ -181,6 +183,17 @@ fs::path StudyFolder::result_file(const std::string& address) const {
 namespace {
 
 /// A file that only a runner writes, which has the lock: what a killed one has left goes first.
+/// Whether a file is a scenario of the case with this address: one that changes no result may
+/// differ from the planned one, in the views of pictures for example.
+bool is_scenario_of(const fs::path& file, const std::string& address,
+                    const std::vector<std::string>& modalities) {
+  try {
+    return case_address(io::read_scenario(file.string()), modalities) == address;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 void write_planned(const fs::path& file, const std::string& text) {
   remove_left_overs(file);
   write_whole(file, text);
@@ -273,9 +286,11 @@ void StudyFolder::write_plan(const Plan& plan, const SetAside& tell) const {
   for (const PlannedCase& one : plan.cases) {
     if (!written.insert(one.address).second) continue;
     const fs::path file = scenario_file(one.address);
-    // The address leaves out what changes no result, the views of pictures for example.
-    if (io::is_there(file) && io::read_text_file(file.string(), kLargestScenario) == one.toml)
-      continue;
+    if (io::is_there(file)) {
+      if (io::read_text_file(file.string(), kLargestScenario) == one.toml) continue;
+      if (!is_scenario_of(file, one.address, plan.study.modalities))
+        tell(set_aside(file, "changed"));
+    }
     make_folders(file.parent_path());
     write_planned(file, one.toml);
   }

@@ -9,7 +9,10 @@ void contract_soft(ClothState& state) {
     state.model->take_weight();
     state.soften_contact(true);
     if (!state.must_stop())
-      state.settle({tuning.softened_tolerance, tuning.softened_iterations, tuning.first_dt, true});
+      state.settle({.tolerance = tuning.softened_tolerance,
+                    .max_iterations = tuning.softened_iterations,
+                    .first_dt = tuning.first_dt,
+                    .preparing = true});
   }
   state.make_model();
   state.soften_contact(true);
@@ -17,7 +20,11 @@ void contract_soft(ClothState& state) {
 
 void contract(ClothState& state) {
   const ContractTuning& tuning = state.tuning.contract;
-  if (!state.must_stop()) state.settle({tuning.dressed_tolerance, kNoLimit, tuning.first_dt, true});
+  if (!state.must_stop())
+    state.settle({.tolerance = tuning.dressed_tolerance,
+                  .max_iterations = kNoLimit,
+                  .first_dt = tuning.first_dt,
+                  .preparing = true});
 }
 
 }  // namespace loosefit::drape

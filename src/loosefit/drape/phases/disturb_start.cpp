@@ -38,7 +38,10 @@ void disturb_start(ClothState& state) {
         carried_layers(state.model->mesh(), state.x, std::move(maps), state.tuning.carry), state.x);
     state.model->system().begin_step(state.x, std::numeric_limits<double>::infinity());
     state.move_without_collision(displacement);
-    state.settle({tuning.tolerance, tuning.iterations, tuning.first_dt, true});
+    state.settle({.tolerance = tuning.tolerance,
+                  .max_iterations = tuning.iterations,
+                  .first_dt = tuning.first_dt,
+                  .preparing = true});
   }
 }
 

@@ -150,7 +150,10 @@ void follow_path(ClothState& state, const body::BodyPath& path, const PathEnd& p
     step.done = to;
     step.length = std::min(usual, 2 * step.length);
     if (state.must_stop()) continue;
-    state.settle({plan.tolerance, plan.iterations, tuning.first_dt, true});
+    state.settle({.tolerance = plan.tolerance,
+                  .max_iterations = plan.iterations,
+                  .first_dt = tuning.first_dt,
+                  .preparing = true});
     state.recover(RecoveryPoint::after_step);
   }
 }

@@ -20,8 +20,10 @@ void look_on_the_way(ClothState& state) {
   for (std::size_t i = 0; i < tuning.look_tolerances.size(); ++i) {
     // Cloth as worn has its points and lies at rest already: softer, it would sink and slide.
     state.model->set_hardening(state.is_as_worn() ? 1 : tuning.look_hardening[i]);
-    state.settle({std::max(tuning.look_tolerances[i], state.options.residual_tolerance),
-                  tuning.look_iterations, tuning.look_first_dt[i]});
+    state.settle(
+        {.tolerance = std::max(tuning.look_tolerances[i], state.options.residual_tolerance),
+         .max_iterations = tuning.look_iterations,
+         .first_dt = tuning.look_first_dt[i]});
     if (state.is_over()) break;
     find_penetrations(state);
     see_skin(state);
@@ -68,11 +70,16 @@ void settle_without_penetrations(ClothState& state, double first_dt) {
   const auto freed = [&] { return state.recover(RecoveryPoint::at_rest); };
   // A round for the last digits, while there are still penetrations, would be thrown away.
   for (;; first_dt = tuning.near_rest_dt) {
-    state.settle({std::max(tuning.tolerance, wanted), kNoLimit, first_dt});
+    state.settle({.tolerance = std::max(tuning.tolerance, wanted),
+                  .max_iterations = kNoLimit,
+                  .first_dt = first_dt});
     if (state.is_over()) return;
     if (freed()) continue;
     if (wanted < state.last.residual)
-      state.settle({wanted, kNoLimit, tuning.near_rest_dt, false, true});
+      state.settle({.tolerance = wanted,
+                    .max_iterations = kNoLimit,
+                    .first_dt = tuning.near_rest_dt,
+                    .last_of_all = true});
     if (state.is_over() || !freed()) return;
   }
 }

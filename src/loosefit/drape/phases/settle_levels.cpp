@@ -62,7 +62,10 @@ void settle_coarse_levels(ClothState& state) {
   while (!state.is_finest()) {
     state.loosen_friction();
     state.model->set_hardening(0);
-    if (!state.must_stop()) state.settle({tuning.tolerance, tuning.iterations, tuning.first_dt});
+    if (!state.must_stop())
+      state.settle({.tolerance = tuning.tolerance,
+                    .max_iterations = tuning.iterations,
+                    .first_dt = tuning.first_dt});
     state.stick();
     state.handed_on[state.start].push_back({state.x, state.model->memory()});
     refine(state);
@@ -74,8 +77,9 @@ double settle_coarse_levels_as_worn(ClothState& state) {
   double deepest = 0;
   while (!state.is_finest()) {
     state.model->set_hardening(0);
-    state.settle({state.tuning.levels.tolerance, tuning.longer * tuning.plan.iterations,
-                  state.tuning.levels.first_dt});
+    state.settle({.tolerance = state.tuning.levels.tolerance,
+                  .max_iterations = tuning.longer * tuning.plan.iterations,
+                  .first_dt = state.tuning.levels.first_dt});
     deepest = std::max(deepest, depth_in_skin(state.x, state.body->body));
     refine_as_worn(state);
   }

@@ -32,7 +32,10 @@ std::vector<int> hem_vertices(const garment::Garment& garment, const pattern::Pa
 void settle_pulled(ClothState& state) {
   const WearInTuning& tuning = state.tuning.wear_in;
   if (!state.must_stop())
-    state.settle({tuning.pull_tolerance, tuning.pull_iterations, tuning.first_dt, true});
+    state.settle({.tolerance = tuning.pull_tolerance,
+                  .max_iterations = tuning.pull_iterations,
+                  .first_dt = tuning.first_dt,
+                  .preparing = true});
 }
 
 void let_go(ClothState& state) {

@@ -16,8 +16,8 @@ inline MapDefinition gap_map() {
            // Fine where electrodes and temperature sensors live, coarse where cloth hangs free.
            .breaks = {0, 0.5, 2, 5, 10, 20, 40}},
       .meaning =
-          "From the cloth's inner face to the skin. The colour scale has its ticks at equal "
-          "steps.",
+          "From the cloth's inner face to the skin. The colour bar goes in equal steps "
+          "through 0, 0.5, 2, 5, 10, 20 and 40 mm.",
       .formula = "max(0, distance − ½ thickness)",
       .source = "docs/theory/sensor_metrics.md 4",
       .read = ReadOverSkin(
