@@ -283,6 +283,17 @@ TEST_F(RunFolderTest, UpdateKeepsTheOtherFiles) {
   EXPECT_TRUE(fs::exists(base / "run" / "maps" / "b.png"));
 }
 
+// A report of the old drape would stand beside the new one.
+TEST_F(RunFolderTest, AnUpdateOfADrapeThatAnotherRunHasReplacedMeanwhileIsRefused) {
+  make_run({{"summary.json", "{}"}, {"drape.vtp", "old"}, {"report.html", "of old"}});
+  RunFolder folder = RunFolder::update(base / "run");
+  write_text_file(folder.path() / "report.html", "of old again");
+  make_run({{"summary.json", "{}"}, {"drape.vtp", "new"}, {"report.html", "of new"}});
+  EXPECT_THROW(folder.commit(), InvalidInput);
+  EXPECT_EQ(text("drape.vtp"), "new");
+  EXPECT_EQ(text("report.html"), "of new");
+}
+
 TEST(TextFile, DiskFullIsAnIoError) {
   if (!fs::exists("/dev/full")) GTEST_FAIL() << "no /dev/full";
   EXPECT_THROW(write_text_file("/dev/full", std::string(100000, 'x')), IoError);

@@ -136,6 +136,15 @@ const std::string* OutputMark::digest(const std::string& file) const {
   return nullptr;
 }
 
+FileDigests OutputMark::drape() const {
+  FileDigests digests;
+  if (const auto run = sets.find("run"); run != sets.end())
+    for (const char* file : {"drape.vtp", "scenario.toml"})
+      if (const auto found = run->second.find(file); found != run->second.end())
+        digests.insert(*found);
+  return digests;
+}
+
 void OutputMark::forget(const std::string& file) {
   for (auto& [kind, files] : sets) files.erase(file);
 }

@@ -41,6 +41,8 @@ struct OutputMark {
   bool holds(const std::string& kind) const { return sets.count(kind) > 0; }
   /// Digest of a file of any kind; null when it is not ours.
   const std::string* digest(const std::string& file) const;
+  /// Of the files of a run from which its others are made; empty without a run.
+  FileDigests drape() const;
   /// Makes a file no longer ours.
   void forget(const std::string& file);
   std::string text() const;

@@ -247,6 +247,9 @@ std::string replace_files(const Replacement& wish, const std::string& staging) {
   if (before && before->pending)
     throw IoError(wish.target.string() + ": cannot be written: an earlier commit is not finished",
                   "choose another folder with -o");
+  if (wish.made_from && before.value_or(OutputMark()).drape() != *wish.made_from)
+    throw InvalidInput({wish.target.string(), 0, ""}, "the output of another run, made meanwhile",
+                       "the one that this work began with", "nothing was changed; run it again");
   Plan plan = plan_of(wish, before.value_or(OutputMark()), staging);
   prepare(wish, before, plan);
   if (before)

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct Replacement {
   /// Files in the way of which the mark knows nothing move to `replaced-1`, … of the folder instead
   /// of being an error: for outputs of versions that wrote no mark.
   bool set_aside = false;
+  /// The drape (OutputMark::drape) that the new files were made from. Nothing: of none, or their
+  /// own.
+  std::optional<FileDigests> made_from = {};
 };
 
 /// Files stand where new ones should go, and are not ours, or not as we wrote them.
@@ -50,7 +54,8 @@ std::vector<std::string> in_the_way(const std::filesystem::path& folder, const O
 /// Carries out steps 1 to 4. `staging` is the hidden folder relative to the target. Returns the
 /// folder to which files were set aside, if any.
 /// \throws FilesInTheWay with nothing changed, or moved back when files were changed meanwhile;
-/// IoError, or whatever else has gone wrong, with everything moved back.
+/// InvalidInput with nothing changed when the folder has another drape than `made_from`; IoError,
+/// or whatever else has gone wrong, with everything moved back.
 std::string replace_files(const Replacement& wish, const std::string& staging);
 
 /// Brings a folder whose commit was killed back to what it was before; nothing to do for any other.

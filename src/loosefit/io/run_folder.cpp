@@ -46,6 +46,7 @@ RunFolder::RunFolder(fs::path target, std::string kind, Mode mode)
   repair_output(target_);
   clear_left_overs(target_);
   check_target();
+  if (mode_ == Mode::update) made_from_ = read_output_mark(target_).value_or(OutputMark()).drape();
   parents_ = make_missing(target_.parent_path());
   staging_.emplace(target_);
 }
@@ -204,6 +205,7 @@ void RunFolder::commit() {
     wish.kind = kind_;
     wish.whole = mode_ == Mode::whole;
     wish.leave_edited = leave_edited_;
+    wish.made_from = made_from_;
     try {
       check_target();  // much may have happened since
       wish.set_aside = sets_aside();

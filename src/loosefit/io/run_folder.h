@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/io/output_mark.h"
 #include "loosefit/io/staging_folder.h"
 
 namespace loosefit::io {
@@ -63,6 +64,7 @@ class RunFolder {
   std::string kind_, aside_;
   Mode mode_;
   std::set<std::string> leave_edited_;
+  std::optional<FileDigests> made_from_;        ///< of an update
   std::vector<std::filesystem::path> parents_;  ///< that were made for it, the outer ones first
   std::optional<StagingFolder> staging_;
 };
