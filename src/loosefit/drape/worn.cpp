@@ -265,14 +265,10 @@ class Verdict {
   /// The body of a jacket that is open in front is held by no ring: its sleeves begin at the
   /// shoulders, and its edge runs behind the neck.
   void check_open_front(const std::vector<const Opening*>& of) {
-    const Opening* front = nullptr;
-    bool armed = false;
-    for (const Opening* o : of) {
-      if (o->use == kinds::OpeningUse::neck) return;
-      if (o->use == kinds::OpeningUse::unknown && (!front || o->girth > front->girth)) front = o;
-      armed = armed || is_arm(*o);
-    }
-    if (!front || !armed) return;
+    const auto found =
+        std::ranges::find_if(of, [&](const Opening* o) { return is_open_front(*o); });
+    if (found == of.end()) return;
+    const Opening* front = *found;
     for (const Opening* o : of) {
       if (!is_arm(*o)) continue;
       const std::string side = o->use == kinds::OpeningUse::left_arm ? "left" : "right";
@@ -289,9 +285,11 @@ class Verdict {
       say("the back of the neck has slid off the shoulders");
   }
 
-  /// The edge of a jacket that check_open_front asks of.
+  /// Whether it is the edge of a jacket that is open in front: the longest opening of unknown use
+  /// of a piece with armholes and no neck.
   bool is_open_front(const Opening& edge) const {
-    return std::ranges::none_of(
+    return edge.use == kinds::OpeningUse::unknown &&
+           std::ranges::none_of(
                openings_,
                [&](const Opening& o) {
                  return o.piece == edge.piece &&
