@@ -6,7 +6,7 @@ import statistics
 WEIGHTS = 50  # a garment that hangs presses with a few of its weights, one that is squeezed under the arms with some tens
 
 # Words of warnings of the program which say that a garment is cut too tight for its wearer.
-OF_CUT = ("of ease where", "was asked to be loose", "above the waist", "too narrow for this body")
+OF_CUT = ("of ease where", "was asked to be loose", "above the waist", "too narrow for this body", "has ridden up")
 
 
 def is_of_cut(warning):

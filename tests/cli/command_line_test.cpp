@@ -177,12 +177,14 @@ TEST_F(CommandLine, UnsettledRunIsSealedAndReturnsOne) {
   EXPECT_TRUE(fs::exists(base / "out/report.html")) << "untouched files stay";
 }
 
-// As under nohup: the terminal goes, the run does not.
+// As under nohup: the terminal goes, the run does not. Sent once the program catches signals.
 TEST_F(CommandLine, ASignalThatIsIgnoredFromTheStartEndsNothing) {
   const std::string out = (base / "out").string();
-  const ProgramRun run = run_program("sh -c 'trap \"\" HUP; " + std::string(LOOSEFIT_BINARY) +
-                                     " run " + file("case.toml", kStopped) + " --no-pictures -o " +
-                                     out + " & p=$!; sleep 0.3; kill -HUP $p; wait $p'");
+  const ProgramRun run = run_program(
+      "sh -c 'trap \"\" HUP; " + std::string(LOOSEFIT_BINARY) + " run " +
+      file("case.toml", kStopped) + " --no-pictures -o " + out +
+      " & p=$!; until grep -q \"SigCgt:.*[4-7c-f]...$\" /proc/$p/status; do sleep 0.01; done; "
+      "kill -HUP $p || exit 99; wait $p'");
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_EQ(run.output.find("interrupted"), std::string::npos) << run.output;
   EXPECT_TRUE(fs::exists(base / "out/summary.json"));

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
+#include "loosefit/io/replace_files.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit::io {
@@ -242,12 +243,14 @@ TEST_F(RunFolderTest, HiddenFolderOfAProcessThatIsGoneIsRemoved) {
 }
 
 TEST_F(RunFolderTest, HiddenFolderOfALiveProcessStays) {
-  RunFolder slow = RunFolder::create(base / "run");
-  write_text_file(slow.path() / "summary.json", "slow");
-  make_run({{"summary.json", "quick"}});
-  slow.commit();
-  EXPECT_EQ(text("summary.json"), "slow");
-  EXPECT_EQ(entries(), 1);
+  {
+    RunFolder slow = RunFolder::create(base / "run");
+    write_text_file(slow.path() / "summary.json", "slow");
+    make_run({{"summary.json", "quick"}});
+    EXPECT_THROW(slow.commit(), MadeMeanwhile);
+  }
+  EXPECT_EQ(read_text_file(base / "run.new-1/summary.json", 10), "slow");
+  EXPECT_EQ(entries(), 2);
 }
 
 TEST_F(RunFolderTest, AMarkCannotLeadOutOfItsFolder) {
@@ -289,9 +292,46 @@ TEST_F(RunFolderTest, AnUpdateOfADrapeThatAnotherRunHasReplacedMeanwhileIsRefuse
   RunFolder folder = RunFolder::update(base / "run");
   write_text_file(folder.path() / "report.html", "of old again");
   make_run({{"summary.json", "{}"}, {"drape.vtp", "new"}, {"report.html", "of new"}});
-  EXPECT_THROW(folder.commit(), InvalidInput);
+  EXPECT_THROW(folder.commit(), MadeMeanwhile);
   EXPECT_EQ(text("drape.vtp"), "new");
   EXPECT_EQ(text("report.html"), "of new");
+}
+
+// What `map` and `render` write of the same run side by side.
+TEST_F(RunFolderTest, UpdatesOfOneRunDoNotHinderEachOther) {
+  make_run({{"drape.vtp", "1"}, {"scenario.toml", "1"}});
+  write("run/scenario.toml", "edited");
+  RunFolder map = RunFolder::update(base / "run");
+  map.leave_if_edited("scenario.toml");
+  write_text_file(map.path() / "scenario.toml", "of other maps");
+  RunFolder render = RunFolder::update(base / "run");
+  write_text_file(render.path() / "picture.png", "picture");
+  RunFolder again = RunFolder::create(base / "run");
+  write_text_file(again.path() / "drape.vtp", "2");
+  map.commit();
+  render.commit();
+  EXPECT_EQ(text("picture.png"), "picture");
+  again.commit();
+  EXPECT_EQ(text("drape.vtp"), "2") << "the run of the beginning, whatever was added to it";
+}
+
+// Of two runs into one folder the later one would take the place of what somebody may be reading.
+TEST_F(RunFolderTest, ARunThatAnotherOneWasQuickerThanGoesBesideIt) {
+  for (const std::string kind : {"run", "validation"})
+    for (const bool into_earlier : {false, true}) {
+      const auto write_one = [&](const std::string& what) {
+        RunFolder one = RunFolder::create(base / "run", kind);
+        write_text_file(one.path() / "result", what);
+        return one;
+      };
+      fs::remove_all(base);
+      if (into_earlier) write_one("old").commit();
+      RunFolder slow = write_one("slow");
+      write_one("quick").commit();
+      EXPECT_THROW(slow.commit(), MadeMeanwhile) << kind << into_earlier;
+      EXPECT_EQ(text("result"), "quick");
+      EXPECT_EQ(read_text_file(base / "run.new-1/result", 10), "slow");
+    }
 }
 
 TEST(TextFile, DiskFullIsAnIoError) {

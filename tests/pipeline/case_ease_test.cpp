@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace loosefit::pipeline {
 namespace {
 
@@ -108,9 +110,51 @@ TEST(CaseEase, AGarmentThatWasAskedToBeTightMayPress) {
   const Stations tight = {{"chest", -0.1, -0.1}, {"sleeve", 0.2, 0.2}};
   EXPECT_FALSE(is_asked_loose(tight));
   EXPECT_TRUE(ease_warnings(tight, pressing(200)).empty());
+}
+
+// A tee from a file that is 8 % narrower than the hips presses with 165 weights.
+TEST(CaseEase, AGarmentThatNobodyAskedAnythingOfIsToldWhenItPressesWithManyMoreWeights) {
   const Stations nobody_asked = {{"chest", 0.3, {}}};
   EXPECT_FALSE(is_asked_loose(nobody_asked));
-  EXPECT_TRUE(ease_warnings(nobody_asked, pressing(200)).empty());
+  EXPECT_TRUE(ease_warnings(nobody_asked, pressing(29)).empty());
+  const auto lines = ease_warnings(nobody_asked, pressing(165));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("presses with 165 times its weight"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("too small, caught, or meant to be tight"), std::string::npos)
+      << lines[0];
+  // The waistband of a draft presses by what the draft is for.
+  EXPECT_TRUE(ease_warnings({{.name = "waistband", .cut = -0.05, .drawn_in = true}}, pressing(165))
+                  .empty());
+}
+
+TEST(CaseEase, WhatPressesIsToldWithTheStationThatIsTooSmallForItsCloth) {
+  fabric::Material woven;
+  woven.name = "woven", woven.stiffness_weft = 2000;
+  const Stations narrow = {{.name = "hip", .cut = -0.08, .body = 1.0},
+                           {.name = "chest", .cut = 0.1, .body = 0.9},
+                           {.name = "trunk at the hip", .cut = -0.09, .body = 1.0}};
+  // Laplace: 2000 N/m · (1/0.92 − 1) over 1 m/(2π).
+  EXPECT_NEAR(pressure_when_closed(narrow[0], woven), 1093, 1);
+  EXPECT_EQ(pressure_when_closed(narrow[1], woven), 0);
+  const auto lines = ease_warnings(narrow, pressing(165), woven);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("; trunk at the hip is cut 9.0 % narrower than the body, where woven "
+                          "closes with 1.2 kPa; "),
+            std::string::npos)
+      << lines[0];
+  // A cardigan that does not close in front need not press.
+  EXPECT_TRUE(ease_warnings(narrow, pressing(5), woven).empty());
+  // A measured law is followed.
+  fabric::Material knit = woven;
+  knit.curve_weft = {{0.08 / 0.92, 20}, {0.2, 400}};
+  EXPECT_NEAR(pressure_when_closed(narrow[0], knit), 20 * 2 * std::numbers::pi, 1e-6);
+  // What was asked to be tight is no news.
+  const auto asked = ease_warnings({{.name = "chest", .cut = 0.2, .asked = 0.2, .body = 1},
+                                    {.name = "waist", .cut = -0.01, .asked = {}, .body = 0.7},
+                                    {.name = "hip", .cut = 0.07, .asked = 0.08, .body = 1}},
+                                   pressing(165), woven);
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_NE(asked[0].find("; waist is cut 1.0 % narrower"), std::string::npos) << asked[0];
 }
 
 // Elastic waistbands hold trousers up by pressing.

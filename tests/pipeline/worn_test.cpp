@@ -168,7 +168,7 @@ TEST(Worn, AWaistThatHasRisenIsToldAndAboveTheBustItIsNotWorn) {
   for (const Vec3& p : low) top = std::max(top, p.z());
   const auto at = [&](double above) { return moved(low, {0, 0, waist + above - top}); };
   const auto risen = [&](double above) {
-    return drape::risen_waists(skirt.mesh(), skirt.pattern, at(above), body);
+    return drape::risen_edges(skirt.mesh(), skirt.pattern, at(above), body);
   };
   EXPECT_EQ(skirt.on(at(0.4 * way)), Reasons{});
   EXPECT_EQ(risen(0.4 * way), Reasons{});
@@ -178,6 +178,24 @@ TEST(Worn, AWaistThatHasRisenIsToldAndAboveTheBustItIsNotWorn) {
                                                    "this body",
                                                    0.65 * way)});
   EXPECT_FALSE(skirt.on(at(0.85 * way)).empty()) << "over the bust";
+}
+
+TEST(Worn, AShirtThatIsGatheredAboveTheHipsIsTold) {
+  const std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
+  const auto risen = [](const std::vector<Vec3>& at) {
+    return drape::risen_edges(shirt().mesh(), shirt().pattern, at, woman());
+  };
+  EXPECT_EQ(risen(x), Reasons{});
+  // Behind alone: the wearer faces −y.
+  std::vector<Vec3> rolled = x;
+  const Vec3& waist = woman()->landmarks.at("back_waist");
+  for (Vec3& p : rolled)
+    if (p.y() > 0.5 * (waist.y() + woman()->landmarks.at("front_waist").y()))
+      p.z() = std::max(p.z(), waist.z() + 0.04);
+  EXPECT_EQ(shirt().on(rolled), Reasons{}) << "neck, arms and trunk go through";
+  const Reasons told = risen(rolled);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(told[0].starts_with("the hem has ridden up")) << told[0];
 }
 
 TEST(Worn, LevelsGoAlongWithAPosture) {

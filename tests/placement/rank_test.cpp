@@ -111,6 +111,36 @@ TEST(Rank, IntervalsArePercentilesOfTheDraws) {
   EXPECT_DOUBLE_EQ(wide.robust_interval->high, 0.8) << "all of both: 1/4";
 }
 
+// Two donnings of one wearer tell less than those of two: four each that are the same tell nothing.
+TEST(Rank, IntervalsAreOfWearersEachWithAllItsDonnings) {
+  const std::vector<double> of_wearers = {0.1, 0.3, 0.5, 0.7, 0.9};
+  std::vector<double> of_donnings;
+  RankOptions together;
+  for (int w = 0; w < 5; ++w)
+    for (int d = 0; d < 4; ++d)
+      of_donnings.push_back(of_wearers[w]), together.wearer_of_sample.push_back(w);
+  const Ranking few = rank({site("a", of_wearers)}),
+                many = rank({site("a", of_donnings)}, together),
+                alone = rank({site("a", of_donnings)});
+  EXPECT_EQ(many.samples, 20);
+  EXPECT_EQ(many.draws_of, 5);
+  EXPECT_EQ(few.sites[0].median_interval->low, many.sites[0].median_interval->low);
+  EXPECT_EQ(few.sites[0].median_interval->high, many.sites[0].median_interval->high);
+  EXPECT_LT(alone.sites[0].median_interval->high - alone.sites[0].median_interval->low,
+            many.sites[0].median_interval->high - many.sites[0].median_interval->low);
+  ASSERT_EQ(many.notes.size(), 2u);
+  EXPECT_EQ(many.notes[0],
+            "20 samples of only 5 wearers, of whom the intervals are: they are rough");
+  // Donnings of one wearer are all there is.
+  RankOptions one;
+  one.wearer_of_sample.assign(20, 0);
+  const Ranking single = rank({site("a", of_donnings)}, one);
+  EXPECT_EQ(single.draws_of, 20);
+  EXPECT_EQ(single.sites[0].median_interval->low, alone.sites[0].median_interval->low);
+  one.wearer_of_sample.pop_back();
+  EXPECT_THROW(rank({site("a", of_donnings)}, one), InvalidInput);
+}
+
 TEST(Rank, TiesShareTheRankOfTheirBest) {
   const Ranking r = rank(
       {site("d", {0.1, 0.1}), site("a", {0.9, 0.9}), site("b", {0.5, 0.5}), site("c", {0.5, 0.5})});

@@ -88,6 +88,39 @@ TEST_F(Comparison, CountsAsBetterWhatIsBetterBetweenZeroAndOne) {
 }
 
 // The worst posture of one study is not compared with the only one of another.
+// Of two people whose scores rose both, every draw has risen.
+TEST_F(Comparison, MarksNoScoresOfFewPeople) {
+  const auto of = [&](const std::string& name, int count, double score) {
+    return study(name + std::to_string(count),
+                 "[[axis]]\nname = \"person\"\npeople = { statistics = \"ansur-2012\", count = " +
+                     std::to_string(count) + " }\n",
+                 [score](const std::string&, int) { return score; });
+  };
+  for (const int count : {3, kFewestForInterval}) {
+    const StudyComparison c = compare_studies(of("a", count, 0.3), of("b", count, 0.5));
+    ASSERT_EQ(c.differences.size(), 1u);
+    EXPECT_GT(c.differences[0].interval.low, 0);
+    EXPECT_EQ(c.differences[0].differs(), count == kFewestForInterval) << count;
+  }
+}
+
+TEST_F(Comparison, TellsOfOtherBodiesBehindTheSameNames) {
+  const auto of = [&](const std::string& name, const std::string& sex) {
+    fs::create_directories(base);
+    io::write_text_file((base / "people.csv").string(), "name,height\nx,1.7\ny,1.75\n");
+    return study(name,
+                 "[scenario.body]\nsex = \"" + sex +
+                     "\"\n[[axis]]\nname = \"person\"\n"
+                     "people = { file = \"" +
+                     (base / "people.csv").string() + "\" }\n",
+                 [](const std::string&, int) { return 0.5; });
+  };
+  const StudyData woman = of("a", "female");
+  EXPECT_TRUE(says(compare_studies(woman, of("b", "male")),
+                   "2 of 2 people have another body in a than in b"));
+  EXPECT_FALSE(says(compare_studies(woman, of("c", "female")), "another body"));
+}
+
 TEST_F(Comparison, IsOfTheSamePostureAlsoWhereOneStudyHasNoAxisOfThem) {
   const StudyData a = study(
       "a",

@@ -205,6 +205,18 @@ TEST(Sensors, AreChosenForWhatTheyAdd) {
   EXPECT_NEAR(chosen[1].robust, 0.8, 1e-15);
 }
 
+TEST(Sensors, LeaveOutWhoIsRatedNowhere) {
+  const std::vector<SiteScores> sites = {{"a", {0.8, kNotKnown, kNotKnown}},
+                                         {"b", {0.2, 0.6, kNotKnown}}};
+  const auto chosen = choose_sensors(sites, 2);
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_EQ(chosen[0].site, "a");
+  EXPECT_NEAR(chosen[0].mean, 0.8 / 2, 1e-15) << "the second is not rated there";
+  EXPECT_NEAR(chosen[1].mean, 1.4 / 2, 1e-15);
+  EXPECT_NEAR(chosen[1].robust, 0.6, 1e-15);
+  EXPECT_TRUE(choose_sensors({{"a", {kNotKnown}}}, 1).empty());
+}
+
 TEST(Sensors, GreedyIsWithinItsBoundOfTheBestPair) {
   for (int t = 0; t < 50; ++t) {
     Draws draws(t);

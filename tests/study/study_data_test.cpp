@@ -1,7 +1,9 @@
 #include "loosefit/study/study_data.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "loosefit/io/text_file.h"
@@ -68,6 +70,51 @@ TEST_F(StudyOnDisk, TheHeadlineSaysHowManyAreRatedAtTheFitThatSetsTheLimit) {
   };
   EXPECT_NE(headline(1).find(" (rated there: 1 of 4)"), std::string::npos) << headline(1);
   EXPECT_EQ(headline(4).find("rated there"), std::string::npos) << headline(4);
+}
+
+// Four people at three drawn fits: a level with some people of one fit would be of other people.
+TEST_F(StudyOnDisk, LevelsOfADrawnLoosenessNeverPartPeopleOfOneFit) {
+  for (const int count : {2, 3, 7, 12}) {
+    plan = make_plan(parse_study_file(
+        "[study]\nname = \"x\"\nmodalities = [\"imu-uncalibrated\"]\n"
+        "[[axis]]\nname = \"person\"\npeople = { statistics = \"ansur-2012\", count = 4 }\n"
+        "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nrange = [0.0, 0.3]\ncount = " +
+            std::to_string(count) + "\n",
+        "x.toml"));
+    const StudyData data = read_study_data(planned(std::to_string(count)));
+    std::map<int, std::set<int>> fits_of_level, people_of_level, levels_of_fit;
+    for (std::size_t c = 0; c < plan.cases.size(); ++c) {
+      const int level = data.level_of_case[c];
+      people_of_level[level].insert(plan.cases[c].levels[0]);
+      fits_of_level[level].insert(plan.cases[c].levels[1]);
+      levels_of_fit[plan.cases[c].levels[1]].insert(level);
+    }
+    EXPECT_EQ(people_of_level.size(), data.level_bgm.size());
+    EXPECT_EQ(data.level_bgm.size(), std::min<std::size_t>(count, 5));
+    for (const auto& [level, people] : people_of_level) EXPECT_EQ(people.size(), 4u) << level;
+    for (const auto& [fit, levels] : levels_of_fit) EXPECT_EQ(levels.size(), 1u) << fit;
+    EXPECT_TRUE(std::ranges::is_sorted(data.level_bgm));
+  }
+}
+
+TEST_F(StudyOnDisk, CorrelationsCountThoseOfWhomBothAreKnown) {
+  fs::create_directories(base);
+  std::string people = "name,height,waist\n";
+  for (int p = 0; p < 9; ++p)
+    people += fmt::format("p{},{},{}\n", p, 1.6 + 0.02 * p,
+                          p < 4 ? fmt::format("{}", 0.70 + 0.02 * p) : "");
+  io::write_text_file((base / "people.csv").string(), people);
+  plan = make_plan(parse_study_file(
+      "[study]\nname = \"x\"\nmodalities = [\"imu-uncalibrated\"]\n"
+      "[[axis]]\nname = \"person\"\npeople = { file = \"people.csv\" }\n"
+      "[[axis]]\nname = \"fit\"\nkey = \"garment.fit.chest\"\nvalues = [0.0, 0.1, 0.2]\n",
+      (base / "x.toml").string()));
+  std::map<std::string, int> units;
+  for (const ModalityAnalysis& of : analyse(read_study_data(finished("a"))).modalities)
+    for (const Sensitivity& row : of.sensitivity)
+      if (!row.main_effect) units[row.input] = row.units;
+  EXPECT_EQ(units.at("person.height"), 9);
+  EXPECT_EQ(units.at("person.waist"), 4);
 }
 
 TEST_F(StudyOnDisk, AKeptOutputThatCannotBeReadCostsTheGalleryAlone) {

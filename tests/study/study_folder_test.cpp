@@ -204,6 +204,8 @@ TEST_F(StudyOnDisk, APlanThatTheProgramDidNotWriteIsRefusedWithTheKey) {
   const std::string address = plan.cases[0].address;
   EXPECT_NE(complaint(address, "../../../etc").find("plan.json: cases.address: found"),
             std::string::npos);
+  EXPECT_NE(complaint("\"number\": 2", "\"number\": 100000000").find("cases.number: found"),
+            std::string::npos);
   const std::string levels = "\"levels\": [\n    0,\n    0\n   ]";
   ASSERT_NE(good.find(levels), std::string::npos);
   for (const char* wrong : {"[0, 99]", "[0, -1]", "[0]"})

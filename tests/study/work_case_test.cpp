@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/run_folder.h"
 #include "loosefit/io/text_file.h"
 #include "support/study_on_disk.h"
 
@@ -21,6 +22,22 @@ class ChangesAFile : public Progress {
 
  private:
   fs::path file_;
+};
+
+/// Makes another whole output as soon as the case begins.
+class RunsMeanwhile : public Progress {
+ public:
+  explicit RunsMeanwhile(fs::path output) : output_(std::move(output)) {}
+  void stage(const std::string&) override {
+    if (fs::exists(output_)) return;
+    io::RunFolder other = io::RunFolder::create(output_);
+    io::write_text_file((other.path() / "drape.vtp").string(), "of another process");
+    other.commit();
+  }
+  void update(double, const std::string&) override {}
+
+ private:
+  fs::path output_;
 };
 
 struct WorkCase : StudyOnDisk {
@@ -87,6 +104,21 @@ TEST_F(WorkCase, WhoseOutputWouldReplaceAFileOfSomebodyIsNotRecordedAsFailed) {
   keeping.keep_output = true;
   expect_no_record(folder, keeping, silent, "output");
   EXPECT_EQ(io::read_text_file(mine.string(), 100), "mine");
+}
+
+TEST_F(WorkCase, WhoseOutputAnotherProcessHasMadeMeanwhileIsNotRecordedAsFailed) {
+  plan = make_plan(parse_study_file(
+      "[study]\nmodalities = [\"ecg\"]\n[scenario.garment]\npattern = \"t-shirt\"\n"
+      "[scenario.donning]\nmovements = []\n"
+      "[scenario.simulation]\nedge_length = 0.05\nmax_iterations = 1\n",
+      (base / "x.toml").string()));
+  const StudyFolder folder = planned("a");
+  const fs::path output = folder.case_folder(plan.cases.front().address) / "output";
+  RunsMeanwhile progress(output);
+  WorkOptions keeping;
+  keeping.keep_output = true;
+  expect_no_record(folder, keeping, progress, "made meanwhile");
+  EXPECT_EQ(io::read_text_file((output / "drape.vtp").string(), 100), "of another process");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "loosefit/base/text.h"
+#include "loosefit/drape/hem_hang.h"
 #include "loosefit/drape/hood_seam.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
@@ -26,8 +27,9 @@ constexpr double kForTheWaist = 0.9;  ///< of the chest's girth, what was not ma
 constexpr double kTouch = 0.010;      ///< [m]
 constexpr double kShoulder = 0.12;    ///< of stature, armhole to shoulder joint
 constexpr double kNeck = 0.88;        ///< of stature, above which no garment of a wearer begins
-constexpr double kFolded = 0.5;       ///< of a tube's length, a fold that turns no tube over
-constexpr double kSleeve = 0.6;       ///< of the chest's girth, the widest tube for a limb
+constexpr double kHangs = 0.75;  ///< of the cloth from neck to hem, that at least hangs straight
+constexpr double kFolded = 0.5;  ///< of a tube's length, a fold that turns no tube over
+constexpr double kSleeve = 0.6;  ///< of the chest's girth, the widest tube for a limb
 
 const char* const kLimbNames[] = {"the head", "the left arm", "the right arm", "the left leg",
                                   "the right leg"};
@@ -82,6 +84,8 @@ class Verdict {
 
   const std::vector<std::string>& risen() {
     reasons(true);
+    for (const Opening& hem : openings_)
+      if (hem.use == kinds::OpeningUse::hem) check_ridden_up(hem);
     return risen_;
   }
 
@@ -260,6 +264,24 @@ class Verdict {
     const double length = share() * (top->placed - hem->placed).norm();
     if (levels_.of(hem->loop, x_) > levels_.of(top->loop, x_) + kFolded * length)
       say("the garment is upside down: its hem lies above its waist");
+  }
+
+  /// The hem of a top hangs about as far from its neck as the cloth between them is long. One that
+  /// is too narrow for the hips, or longer than the trunk lets it hang, rides up.
+  void check_ridden_up(const Opening& hem) {
+    const auto neck = std::ranges::find_if(openings_, [&](const Opening& o) {
+      return o.use == kinds::OpeningUse::neck && o.piece == hem.piece && !is_of_hood(o);
+    });
+    if (neck == openings_.end()) return;
+    std::vector<Vec3> at_rest = x_;
+    for (int v : neck->loop) at_rest[v] = levels_.at_rest(x_[v]);
+    for (int v : hem.loop) at_rest[v] = levels_.at_rest(x_[v]);
+    if (const double share = hang_straightness(garment_, neck->loop, hem.loop, at_rest);
+        share < kHangs)
+      risen_.push_back(fmt::format(
+          "the hem has ridden up: over a quarter of it or more it hangs at most "
+          "{:.0f} % as far from the neck as the cloth between them is long, which lies gathered",
+          100 * share));
   }
 
   /// The body of a jacket that is open in front is held by no ring: its sleeves begin at the
@@ -442,9 +464,9 @@ std::vector<std::string> why_not_worn(const garment::Garment& garment,
   return Verdict(garment, pattern, x, body).reasons(over_others);
 }
 
-std::vector<std::string> risen_waists(const garment::Garment& garment,
-                                      const pattern::Pattern& pattern, const std::vector<Vec3>& x,
-                                      const body::PosedBody& body) {
+std::vector<std::string> risen_edges(const garment::Garment& garment,
+                                     const pattern::Pattern& pattern, const std::vector<Vec3>& x,
+                                     const body::PosedBody& body) {
   return Verdict(garment, pattern, x, body).risen();
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/plain_files.h"
@@ -120,6 +121,9 @@ OutputMark mark_of(const Json& json) {
   OutputMark mark;
   for (const auto& [kind, files] : json.at("sets").get_ref<const Json::object_t&>())
     mark.sets[unescaped(kind)] = digests_of(files);
+  if (json.contains("made"))
+    for (const auto& [kind, name] : json.at("made").get_ref<const Json::object_t&>())
+      mark.made[unescaped(kind)] = name.get_ref<const std::string&>();
   mark.folders = names_of<std::set<std::string>>(json.at("folders"));
   mark.adopted = json.value("adopted", false);
   if (json.contains("pending")) mark.pending = pending_of(json.at("pending"));
@@ -136,13 +140,11 @@ const std::string* OutputMark::digest(const std::string& file) const {
   return nullptr;
 }
 
-FileDigests OutputMark::drape() const {
-  FileDigests digests;
-  if (const auto run = sets.find("run"); run != sets.end())
-    for (const char* file : {"drape.vtp", "scenario.toml"})
-      if (const auto found = run->second.find(file); found != run->second.end())
-        digests.insert(*found);
-  return digests;
+void OutputMark::name_anew(const std::string& kind) {
+  std::random_device draw;
+  std::string name;
+  for (int k = 0; k < 4; ++k) name += fmt::format("{:08x}", draw());
+  made[kind] = name;
 }
 
 void OutputMark::forget(const std::string& file) {
@@ -155,6 +157,7 @@ std::string OutputMark::text() const {
   json["version"] = kVersion;
   json["sets"] = Json::object();
   for (const auto& [kind, files] : sets) json["sets"][escaped(kind)] = digests_json(files);
+  for (const auto& [kind, name] : made) json["made"][escaped(kind)] = name;
   json["folders"] = names_json(folders);
   if (adopted) json["adopted"] = true;
   if (pending) json["pending"] = pending_json(*pending);

@@ -28,12 +28,15 @@ struct PendingCommit {
   std::vector<std::string> removed;  ///< folders that go, the inner ones first
 };
 
-/// What kOutputMark holds: JSON with `format`, `version`, `sets` (kind → file → SHA-256), `folders`
-/// `adopted` and, while files are being replaced, `pending`. Bytes of names outside printable ASCII
-/// are written as %XX.
+/// What kOutputMark holds: JSON with `format`, `version`, `sets` (kind → file → SHA-256), `made`,
+/// `folders`, `adopted` and, while files are being replaced, `pending`. Bytes of names outside
+/// printable ASCII are written as %XX.
 struct OutputMark {
   std::map<std::string, FileDigests> sets;  ///< by the kind of output: "run", "body", …
-  std::set<std::string> folders;            ///< folders that we made
+  /// Kind → name of its last whole output, drawn anew for each: files that are added later or
+  /// written again change none. Nothing of outputs of earlier versions.
+  std::map<std::string, std::string> made;
+  std::set<std::string> folders;  ///< folders that we made
   /// The run was there without a mark, so it holds files of ours that are not in any set.
   bool adopted = false;
   std::optional<PendingCommit> pending;
@@ -41,8 +44,8 @@ struct OutputMark {
   bool holds(const std::string& kind) const { return sets.count(kind) > 0; }
   /// Digest of a file of any kind; null when it is not ours.
   const std::string* digest(const std::string& file) const;
-  /// Of the files of a run from which its others are made; empty without a run.
-  FileDigests drape() const;
+  /// Draws the name of a whole output of a kind.
+  void name_anew(const std::string& kind);
   /// Makes a file no longer ours.
   void forget(const std::string& file);
   std::string text() const;

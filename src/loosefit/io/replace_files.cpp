@@ -96,7 +96,10 @@ Plan plan_of(const Replacement& wish, const OutputMark& before, const std::strin
   plan.commit.staging = staging;
   plan.after.adopted = wish.set_aside;
   plan.after.sets[wish.kind];
-  if (wish.whole) plan.after.sets[wish.kind].clear();
+  if (wish.whole) {
+    plan.after.sets[wish.kind].clear();
+    plan.after.name_anew(wish.kind);
+  }
   std::vector<std::string> blocked;
   std::vector<std::string> files = plain_files(wish.incoming);
   std::erase(files, kOutputMark);  // of a folder that was to be a new one
@@ -227,6 +230,10 @@ FilesInTheWay::FilesInTheWay(const fs::path& folder, const std::vector<std::stri
                    "only files as Loosefit wrote them where new ones go",
                    "nothing was changed; move them away, or write into another folder") {}
 
+MadeMeanwhile::MadeMeanwhile(const fs::path& folder)
+    : InvalidInput({folder.string(), 0, ""}, "the output of another run, made meanwhile",
+                   "what was there when this work began", "nothing was changed; run it again") {}
+
 std::vector<std::string> in_the_way(const fs::path& folder, const OutputMark& mark,
                                     const std::vector<std::string>& planned) {
   std::vector<std::string> names;
@@ -247,9 +254,8 @@ std::string replace_files(const Replacement& wish, const std::string& staging) {
   if (before && before->pending)
     throw IoError(wish.target.string() + ": cannot be written: an earlier commit is not finished",
                   "choose another folder with -o");
-  if (wish.made_from && before.value_or(OutputMark()).drape() != *wish.made_from)
-    throw InvalidInput({wish.target.string(), 0, ""}, "the output of another run, made meanwhile",
-                       "the one that this work began with", "nothing was changed; run it again");
+  if (wish.found_there && before.value_or(OutputMark()).made != *wish.found_there)
+    throw MadeMeanwhile(wish.target);
   Plan plan = plan_of(wish, before.value_or(OutputMark()), staging);
   prepare(wish, before, plan);
   if (before)

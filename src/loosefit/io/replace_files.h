@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -36,15 +37,23 @@ struct Replacement {
   /// Files in the way of which the mark knows nothing move to `replaced-1`, … of the folder instead
   /// of being an error: for outputs of versions that wrote no mark.
   bool set_aside = false;
-  /// The drape (OutputMark::drape) that the new files were made from. Nothing: of none, or their
-  /// own.
-  std::optional<FileDigests> made_from = {};
+  /// Names of the whole outputs (OutputMark::made) that were there when the work began: new files
+  /// of a part belong to them, a whole new one takes their place. Nothing: whatever is there is as
+  /// good.
+  std::optional<std::map<std::string, std::string>> found_there = {};
 };
 
 /// Files stand where new ones should go, and are not ours, or not as we wrote them.
 class FilesInTheWay : public InvalidInput {
  public:
   FilesInTheWay(const std::filesystem::path& folder, const std::vector<std::string>& names);
+};
+
+/// Another whole output has come while this one was made.
+class MadeMeanwhile : public InvalidInput {
+ public:
+  using InvalidInput::InvalidInput;
+  explicit MadeMeanwhile(const std::filesystem::path& folder);
 };
 
 /// Those of `planned` where something stands that is not ours, or not as we wrote it.
@@ -54,8 +63,8 @@ std::vector<std::string> in_the_way(const std::filesystem::path& folder, const O
 /// Carries out steps 1 to 4. `staging` is the hidden folder relative to the target. Returns the
 /// folder to which files were set aside, if any.
 /// \throws FilesInTheWay with nothing changed, or moved back when files were changed meanwhile;
-/// InvalidInput with nothing changed when the folder has another drape than `made_from`; IoError,
-/// or whatever else has gone wrong, with everything moved back.
+/// MadeMeanwhile with nothing changed when other whole outputs are there than `found_there`;
+/// IoError, or whatever else has gone wrong, with everything moved back.
 std::string replace_files(const Replacement& wish, const std::string& staging);
 
 /// Brings a folder whose commit was killed back to what it was before; nothing to do for any other.

@@ -39,6 +39,12 @@ std::vector<fs::path> make_missing(const fs::path& folder) {
   return made;
 }
 
+/// The same complaint with the hint where the new output is.
+[[noreturn]] void refuse(const InvalidInput& why, const std::string& hint) {
+  if (dynamic_cast<const MadeMeanwhile*>(&why)) throw MadeMeanwhile(why.what(), hint);
+  throw InvalidInput(why.what(), hint);
+}
+
 }  // namespace
 
 RunFolder::RunFolder(fs::path target, std::string kind, Mode mode)
@@ -46,9 +52,9 @@ RunFolder::RunFolder(fs::path target, std::string kind, Mode mode)
   repair_output(target_);
   clear_left_overs(target_);
   check_target();
-  if (mode_ == Mode::update) made_from_ = read_output_mark(target_).value_or(OutputMark()).drape();
   parents_ = make_missing(target_.parent_path());
   staging_.emplace(target_);
+  if (mode_ != Mode::add) found_ = read_output_mark(target_).value_or(OutputMark()).made;
 }
 
 RunFolder::~RunFolder() {
@@ -142,6 +148,7 @@ void RunFolder::announce(const std::vector<std::string>& planned) const {
 /// The whole hidden folder of new files takes a free name, with a mark of its own.
 void RunFolder::become_target(const fs::path& target) {
   OutputMark mark;
+  if (mode_ == Mode::whole) mark.name_anew(kind_);
   FileDigests& files = mark.sets[kind_];
   std::set<std::string> names;
   for (const std::string& file : plain_files(path())) {
@@ -160,9 +167,9 @@ void RunFolder::become_target(const fs::path& target) {
   move_to_free_name(path(), target);
 }
 
-void RunFolder::save_elsewhere(const std::string& message) {
+void RunFolder::save_elsewhere(const InvalidInput& why) {
   const auto is_now = [](const fs::path& place) {
-    return "this folder is as it was; the new output is " + place.string();
+    return "nothing in this folder was changed; the new output is " + place.string();
   };
   // In the folder itself where nothing can be moved out of it: a mount point, no permission.
   for (const fs::path& place : {target_.parent_path(), target_}) {
@@ -174,11 +181,11 @@ void RunFolder::save_elsewhere(const std::string& message) {
     } catch (const IoError&) {
       continue;
     }
-    throw InvalidInput(message, is_now(place / name()));
+    refuse(why, is_now(place / name()));
   }
   const fs::path left = path();
   staging_->give_away();
-  throw InvalidInput(message, is_now(left) + "; copy it, as it cannot be moved from there");
+  refuse(why, is_now(left) + "; copy it, as it cannot be moved from there");
 }
 
 void RunFolder::commit() {
@@ -205,7 +212,7 @@ void RunFolder::commit() {
     wish.kind = kind_;
     wish.whole = mode_ == Mode::whole;
     wish.leave_edited = leave_edited_;
-    wish.made_from = made_from_;
+    wish.found_there = found_;
     try {
       check_target();  // much may have happened since
       wish.set_aside = sets_aside();
@@ -213,7 +220,7 @@ void RunFolder::commit() {
     } catch (const InvalidInput& error) {
       // Where moving back has failed, the next process needs the files where they are.
       if (mode_ != Mode::whole || staging_->commit_is_open()) throw;
-      save_elsewhere(error.what());
+      save_elsewhere(error);
     }
     try {
       sync_to_disk(target_);

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -45,8 +46,8 @@ class RunFolder {
   /// This file stays as it is when somebody has edited it.
   void leave_if_edited(const std::string& file) { leave_edited_.insert(file); }
   /// Puts the files in their place. \throws InvalidInput if something foreign has come in the way,
-  /// IoError; everything is then as before, and a whole output goes to a free name beside the
-  /// folder when only the former.
+  /// MadeMeanwhile if another output has, IoError; everything is then as before, and a whole output
+  /// goes to a free name beside the folder when only the former.
   void commit();
   /// The folder to which commit() has set files aside, relative to the output; mostly none.
   const std::string& aside() const { return aside_; }
@@ -58,13 +59,13 @@ class RunFolder {
   bool has_mark_of_run() const;
   bool sets_aside() const;
   void become_target(const std::filesystem::path& target);
-  [[noreturn]] void save_elsewhere(const std::string& message);
+  [[noreturn]] void save_elsewhere(const InvalidInput& why);
 
   std::filesystem::path target_;  ///< without links
   std::string kind_, aside_;
   Mode mode_;
   std::set<std::string> leave_edited_;
-  std::optional<FileDigests> made_from_;        ///< of an update
+  std::optional<std::map<std::string, std::string>> found_;  ///< OutputMark::made at the start
   std::vector<std::filesystem::path> parents_;  ///< that were made for it, the outer ones first
   std::optional<StagingFolder> staging_;
 };

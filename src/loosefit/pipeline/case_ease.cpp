@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numbers>
 
 #include "loosefit/base/text.h"
+#include "loosefit/fabric/stress_curve.h"
 #include "loosefit/kinds/registry.h"
 
 namespace loosefit::pipeline {
@@ -42,12 +44,23 @@ const kinds::KindKey* key_of(const std::string& level, const scenario::GarmentSp
 
 /// A level of the draft. What it makes tight by itself, as a waistband, is meant to press; what may
 /// be asked for and was not is what came out.
-StationEase level_ease(const std::string& level, double cut, const scenario::GarmentSpec& spec) {
+StationEase level_ease(const kinds::FitLevel& level, double cut,
+                       const scenario::GarmentSpec& spec) {
   const bool drafted = spec.file.empty() && spec.size.empty();
-  const kinds::KindKey* key = key_of(level, spec);
-  if (!key) return {level, cut, std::nullopt, drafted && cut < 0};
-  const auto wished = spec.fit.find(level);
-  return {level, cut, wished == spec.fit.end() ? key->usual : wished->second};
+  StationEase station{.name = level.name, .cut = cut, .body = level.body.value_or(0)};
+  if (const kinds::KindKey* key = key_of(level.name, spec)) {
+    const auto wished = spec.fit.find(level.name);
+    station.asked = wished == spec.fit.end() ? key->usual : wished->second;
+  } else {
+    station.drawn_in = drafted && cut < 0;
+  }
+  return station;
+}
+
+/// Pull of the cloth along its weft at an elongation, per metre of reference width [N/m].
+double weft_pull(const fabric::Material& material, double elongation) {
+  if (material.curve_weft.empty()) return material.stiffness_weft * elongation;
+  return fabric::MonotoneCubic(material.curve_weft).at(elongation).value;
 }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
@@ -62,6 +75,27 @@ std::string bearers(const maps::BodyLoad& load) {
   return join(told);
 }
 
+/// Whether nobody asked for any ease, as of a fixed size or a pattern file, and nothing is drawn in
+/// by a draft.
+bool is_nothing_asked(const std::vector<StationEase>& stations) {
+  return std::ranges::none_of(stations, [](const StationEase& s) { return s.asked || s.drawn_in; });
+}
+
+/// "; trunk at the hip is cut 8.0 % narrower than the body, where paper-cotton closes with 1.2
+/// kPa": of the stations that nobody asked for the one that presses most; nothing where none is
+/// narrower.
+std::string narrowest(const std::vector<StationEase>& stations, const fabric::Material& material) {
+  const StationEase* most = nullptr;
+  double pressure = 0;
+  for (const StationEase& s : stations)
+    if (const double p = pressure_when_closed(s, material); !s.asked && !s.drawn_in && p > pressure)
+      most = &s, pressure = p;
+  if (!most) return {};
+  return fmt::format("; {} is cut {:.1f} % narrower than the body, where {} closes with {:.2g} kPa",
+                     printable(most->name), -100 * most->cut, printable(material.name),
+                     1e-3 * pressure);
+}
+
 }  // namespace
 
 std::vector<StationEase> station_eases(const CasePattern& pattern,
@@ -69,14 +103,15 @@ std::vector<StationEase> station_eases(const CasePattern& pattern,
   std::vector<StationEase> stations;
   for (const kinds::FitLevel& level : pattern.levels)
     if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end())
-      stations.push_back(level_ease(level.name, cut->second, spec));
+      stations.push_back(level_ease(level, cut->second, spec));
   // Along trunk and arm, the tightest of each place.
   std::map<std::string, StationEase> tightest;
   for (const StationFit& s : pattern.fit_along) {
     const std::string name =
         s.limb == "arm" ? "sleeve at the " + s.place : "trunk at the " + s.place;
-    const auto [entry, first] = tightest.insert({name, {name, s.cut(), s.asked}});
-    if (!first && s.cut() < entry->second.cut) entry->second = {name, s.cut(), s.asked};
+    const StationEase ease{.name = name, .cut = s.cut(), .asked = s.asked, .body = s.body};
+    const auto [entry, first] = tightest.insert({name, ease});
+    if (!first && ease.cut < entry->second.cut) entry->second = ease;
   }
   for (auto& entry : tightest) stations.push_back(std::move(entry.second));
   return stations;
@@ -98,19 +133,32 @@ bool is_asked_loose(const std::vector<StationEase>& stations) {
   return any;
 }
 
+double pressure_when_closed(const StationEase& station, const fabric::Material& material) {
+  if (!(station.cut < 0) || !(station.body > 0)) return 0;
+  const double elongation = 1 / (1 + station.cut) - 1;
+  return weft_pull(material, elongation) * 2 * std::numbers::pi / station.body;
+}
+
 std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
-                                       const std::optional<maps::BodyLoad>& load) {
+                                       const std::optional<maps::BodyLoad>& load,
+                                       const fabric::Material& material) {
   std::vector<std::string> lines;
   for (const StationEase& s : stations)
     if (is_short_of_asked(s))
       lines.push_back(printable(s.name) + ": " + percent(s.cut) + " of ease where " +
                       percent(*s.asked) + " was asked");
-  if (!load || !is_asked_loose(stations) || !(load->weight > 0)) return lines;
-  if (load->free_force() > kLooseWeights * load->weight)
-    lines.push_back(fmt::format(
-        "the garment was asked to be loose, but presses with {:.0f} times its weight, without what "
-        "is squeezed between arms and trunk: {}",
-        load->free_force() / load->weight, bearers(*load)));
+  if (!load || !(load->weight > 0)) return lines;
+  const double weights = load->free_force() / load->weight;
+  const std::string presses = fmt::format(
+      "presses with {:.0f} times its weight, without what is squeezed between arms and "
+      "trunk: {}{}",
+      weights, bearers(*load), narrowest(stations, material));
+  if (is_asked_loose(stations) && weights > kLooseWeights)
+    lines.push_back("the garment was asked to be loose, but " + presses);
+  if (is_nothing_asked(stations) && weights > kHeldWeights)
+    lines.push_back("the garment " + presses +
+                    "; one that hangs presses with a few weights: it is too small, caught, or "
+                    "meant to be tight");
   return lines;
 }
 

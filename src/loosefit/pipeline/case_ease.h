@@ -10,10 +10,11 @@ namespace loosefit::pipeline {
 /// Cut ease (of the flat pieces) and asked ease of a garment at one station, as garment girth /
 /// body girth − 1.
 struct StationEase {
-  std::string name;             ///< "chest", "sleeve", "sleeve at the forearm", …
-  double cut = 0;               ///< of the flat pieces on this body [–]
-  std::optional<double> asked;  ///< [–]; absent: nobody asked for one there
-  bool drawn_in = false;        ///< tight by the draft itself, as a waistband is
+  std::string name;                  ///< "chest", "sleeve", "sleeve at the forearm", …
+  double cut = 0;                    ///< of the flat pieces on this body [–]
+  std::optional<double> asked = {};  ///< [–]; absent: nobody asked for one there
+  bool drawn_in = false;             ///< tight by the draft itself, as a waistband is
+  double body = 0;                   ///< girth of the body [m]; 0: not known
 };
 
 /// All stations whose body girth is known: the levels of fit, and the tightest near each place
@@ -35,13 +36,26 @@ inline constexpr double kCutShare = 2.0 / 3.0;
 /// caught on the forearms press with 20 and more.
 inline constexpr double kLooseWeights = 10;
 
+/// The same of a garment of which nobody asked how loose it is, a fixed size or a pattern file [–]:
+/// published tops and skirts that fit hang with 2 to 23 weights, such as are too small with 100 and
+/// more; compression wear presses with as many, and is then told for what it is.
+inline constexpr double kHeldWeights = 30;
+
 /// Whether all eases that were asked for, at least one, are loose, and nothing is drawn in.
 bool is_asked_loose(const std::vector<StationEase>& stations);
 
-/// In words: stations that are not cut as they were asked for, and a garment that was asked to be
-/// loose but presses with many times its weight.
+/// Pressure of a tube that is stretched from its cut girth to that of the body, by Laplace's law
+/// with the stiffness along the weft [Pa]: the pull per metre of height over the mean radius. 0
+/// where it is not cut narrower, or where the girth of the body is not known.
+double pressure_when_closed(const StationEase& station, const fabric::Material& material);
+
+/// In words: stations that are not cut as they were asked for, and a garment that presses with many
+/// times its weight although it was asked to be loose, or although nobody asked for anything; with
+/// the station that would press most if it were closed round the body, of those that nobody asked
+/// for.
 std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
-                                       const std::optional<maps::BodyLoad>& load);
+                                       const std::optional<maps::BodyLoad>& load,
+                                       const fabric::Material& material = {});
 
 /// In words: cloth that is strained beyond what its constants were measured over.
 std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,

@@ -66,7 +66,7 @@ std::map<std::string, Lines> way_of_wearing(const CaseGarment& garment, const dr
                                             const body::PosedBody& body) {
   std::map<std::string, Lines> told;
   told["risen"] =
-      drape::risen_waists(garment.mesh(), garment.pattern.pattern, drape.positions, body);
+      drape::risen_edges(garment.mesh(), garment.pattern.pattern, drape.positions, body);
   const drape::WayRound way =
       drape::way_round(garment.mesh(), garment.pattern.pattern, drape.positions, body);
   if (!way.inside_out.empty()) told["inside out"] = {way.inside_out};
@@ -115,8 +115,9 @@ void add_fit(Lines& all, const CaseResult& result) {
     const CaseGarment& garment = result.garments[g];
     const scenario::ScenarioGarment& asked = result.scenario.garments[g];
     const bool outermost = g + 1 == result.garments.size();
-    Lines told = ease_warnings(station_eases(garment.pattern, asked.spec),
-                               outermost ? garment.maps.load : std::nullopt);
+    Lines told =
+        ease_warnings(station_eases(garment.pattern, asked.spec),
+                      outermost ? garment.maps.load : std::nullopt, asked.material.material);
     const auto tell = [&told](const Lines& more) {
       told.insert(told.end(), more.begin(), more.end());
     };

@@ -33,7 +33,7 @@ void drape_side_by_side(const std::vector<DrapeJob>& jobs, int at_once, Progress
                        } catch (const Error& error) {
                          job.failed(error.what());
                        } catch (const std::bad_alloc&) {
-                         job.failed("not enough memory");
+                         job.failed(kNoMemory);
                        }
                      }});
   side_by_side(timed, at_once, progress);

@@ -11,6 +11,9 @@ namespace loosefit::pipeline {
 /// right after the first one, for none takes more than the process has taken until then.
 int drapes_at_once();
 
+/// Why a drape is not made for which there was no memory: a lack of the machine, not of the case.
+inline constexpr const char* kNoMemory = "not enough memory";
+
 /// A drape that needs nothing from others which are made at the same time.
 struct DrapeJob {
   std::string name;  ///< one or two words, for the progress

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -28,6 +29,23 @@ void check(const std::vector<SiteSamples>& sites, const RankOptions& options) {
           fmt::format("site {}: found {} samples, expected {}", printable(site.name),
                       site.samples.size(), std::max<std::size_t>(1, sites.front().samples.size())),
           "every site needs its metrics of every donning");
+  if (!options.wearer_of_sample.empty() && !sites.empty() &&
+      options.wearer_of_sample.size() != sites.front().samples.size())
+    throw InvalidInput(fmt::format("rank: found wearers of {} samples, expected of {}",
+                                   options.wearer_of_sample.size(), sites.front().samples.size()));
+}
+
+/// Samples that are drawn together: those of a wearer, where there are several.
+std::vector<std::vector<int>> drawn_together(int samples, const std::vector<int>& wearer_of) {
+  std::map<int, std::vector<int>> of_wearer;
+  for (int k = 0; k < samples; ++k) of_wearer[wearer_of.empty() ? k : wearer_of[k]].push_back(k);
+  std::vector<std::vector<int>> groups;
+  if (of_wearer.size() == 1) {
+    for (int k = 0; k < samples; ++k) groups.push_back({k});
+  } else {
+    for (auto& [wearer, of] : of_wearer) groups.push_back(std::move(of));
+  }
+  return groups;
 }
 
 /// Robust score and median: what orders sites in one draw.
@@ -36,19 +54,22 @@ using Standing = std::pair<double, double>;
 /// Draw by draw, the standing of every rated site.
 class Bootstrap {
  public:
+  /// \param groups of samples, each drawn as a whole
   Bootstrap(const std::vector<SiteScore>& scores, const std::vector<int>& rated,
-            const RankOptions& options)
+            const std::vector<std::vector<int>>& groups, const RankOptions& options)
       : options_(options), size_(rated.size()), before_(size_ * size_, 0.0) {
     medians_.resize(size_);
     robusts_.resize(size_);
     ranks_.resize(size_);
-    const int n = static_cast<int>(scores[rated[0]].samples.size());
     std::vector<Standing> standing(size_);
-    std::vector<double> drawn(n);
-    for (const auto& draw : bootstrap_draws(n, options.resamples, options.seed)) {
+    std::vector<double> drawn;
+    for (const auto& draw :
+         bootstrap_draws(static_cast<int>(groups.size()), options.resamples, options.seed)) {
       for (std::size_t i = 0; i < size_; ++i) {
         const std::vector<double>& samples = scores[rated[i]].samples;
-        std::transform(draw.begin(), draw.end(), drawn.begin(), [&](int k) { return samples[k]; });
+        drawn.clear();
+        for (int group : draw)
+          for (int k : groups[group]) drawn.push_back(samples[k]);
         standing[i] = {quantile(drawn, kRobustShare), median(drawn)};
       }
       count(standing);
@@ -107,14 +128,24 @@ std::pair<std::vector<int>, std::vector<int>> ordered(const std::vector<SiteScor
   return {rated, unrated};
 }
 
-std::vector<std::string> notes(int samples) {
+/// \param drawn things that are drawn: wearers, or samples of one wearer
+std::vector<std::string> notes(int samples, int drawn) {
   if (samples == 1)
     return {"one sample: no interval; folds are not unique, so the order may be chance"};
   std::vector<std::string> said;
-  if (samples < kFewSamples)
-    said.push_back(fmt::format("only {} samples: intervals are rough", samples));
+  if (drawn < kFewSamples)
+    said.push_back(drawn == samples
+                       ? fmt::format("only {} samples: intervals are rough", samples)
+                       : fmt::format("{} samples of only {} wearers, of whom the intervals are: "
+                                     "they are rough",
+                                     samples, drawn));
   if (samples * kRobustShare <= 1)
     said.push_back(fmt::format("the robust score is the worst of {} samples", samples));
+  else if (drawn != samples)
+    said.push_back(
+        fmt::format("the robust score is the 5th percentile of all {} donnings, not of "
+                    "{} wearers: some of them may score lower in their worst one",
+                    samples, drawn));
   return said;
 }
 
@@ -129,10 +160,12 @@ Ranking rank_sites(const std::vector<SiteSamples>& sites, const Scorecard& score
   for (const SiteSamples& site : sites) scores.push_back(score_samples(site.samples, scorecard));
   const auto [rated, unrated] = ordered(scores);
   ranking.samples = static_cast<int>(sites.front().samples.size());
-  ranking.notes = notes(ranking.samples);
+  const auto groups = drawn_together(ranking.samples, options.wearer_of_sample);
+  ranking.draws_of = static_cast<int>(groups.size());
+  ranking.notes = notes(ranking.samples, ranking.draws_of);
 
   std::optional<Bootstrap> bootstrap;
-  if (ranking.samples > 1 && !rated.empty()) bootstrap.emplace(scores, rated, options);
+  if (ranking.samples > 1 && !rated.empty()) bootstrap.emplace(scores, rated, groups, options);
   const auto tied = [&](std::size_t i, std::size_t j) {
     const SiteScore &a = scores[rated[i]], &b = scores[rated[j]];
     return bootstrap ? bootstrap->tied(i, j) : a.robust == b.robust && a.median == b.median;

@@ -88,6 +88,13 @@ std::vector<std::string> Wearers::sample_names() const {
   return names;
 }
 
+std::vector<int> Wearers::sample_wearers() const {
+  std::vector<int> wearers;
+  for (std::size_t k = 0; k < wearers_.size(); ++k)
+    wearers.insert(wearers.end(), donnings_[k], static_cast<int>(k));
+  return wearers;
+}
+
 std::vector<Site> Wearers::on(std::size_t wearer, const std::vector<Site>& sites) const {
   const std::vector<Site>& own = sites_[wearer];
   const RankingGround& ground = wearers_[wearer].ground;

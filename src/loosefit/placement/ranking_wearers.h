@@ -35,6 +35,8 @@ class Wearers {
   bool cut_differently() const;
   /// Per sample: the wearer's name, with the donning's number where there are several.
   std::vector<std::string> sample_names() const;
+  /// Per sample the wearer's index.
+  std::vector<int> sample_wearers() const;
 
   /// Of sites of the first wearer, in their order. \throws InvalidInput when another wearer has no
   /// such site, or the garment no cloth at its place.

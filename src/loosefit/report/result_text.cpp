@@ -30,6 +30,8 @@ std::string certificate_text(const pipeline::CaseResult& result) {
   const pipeline::CaseGarment& garment = result.studied();
   if (!certificate.worn())
     text += fmt::format("NOT WORN: {}\n", terminal_line(join(certificate.worn_reasons, "; ")));
+  else if (result.body.body->joints.empty())
+    text += "worn, as far as a body without joints tells: it touches the skin\n";
   else if (drape::unjudged_openings(garment.mesh(), garment.pattern.pattern,
                                     garment.drape.positions, result.body.body)
                .empty())

@@ -73,9 +73,11 @@ void add_sensitivity(const StudyData& data, const SiteTable& table, const std::s
                      const std::vector<double>& y, const BootstrapOptions& options,
                      const std::vector<std::vector<int>>& units, std::vector<Sensitivity>& all) {
   const std::size_t cases = data.plan.cases.size();
-  const int known = static_cast<int>(std::ranges::count_if(units, [&](const auto& of_unit) {
-    return std::ranges::any_of(of_unit, [&](int c) { return !std::isnan(y[c]); });
-  }));
+  const auto count_units = [&](const auto& is_known) {
+    return static_cast<int>(std::ranges::count_if(
+        units, [&](const auto& of_unit) { return std::ranges::any_of(of_unit, is_known); }));
+  };
+  const int known = count_units([&](int c) { return !std::isnan(y[c]); });
   std::map<std::string, std::vector<double>> columns;
   for (std::size_t c = 0; c < cases; ++c)
     for (const auto& [input, value] : data.inputs[c]) {
@@ -86,7 +88,10 @@ void add_sensitivity(const StudyData& data, const SiteTable& table, const std::s
   for (const auto& [input, x] : columns) {
     const double value = rank_correlation(x, y);
     if (std::isnan(value)) continue;
-    Sensitivity row{table.site, quantity, input, false, value, {kNotKnown, kNotKnown}, known};
+    const int units_of_both =
+        count_units([&](int c) { return !std::isnan(x[c]) && !std::isnan(y[c]); });
+    Sensitivity row{table.site,   quantity, input, false, value, {kNotKnown, kNotKnown},
+                    units_of_both};
     if (quantity == "score") row.interval = correlation_interval(units, x, y, options);
     all.push_back(row);
   }

@@ -18,7 +18,7 @@ struct Sensitivity {
   bool main_effect = false;    ///< share of variance by an axis; else rank correlation
   double value = kNotKnown;
   Bounds interval = {kNotKnown, kNotKnown};  ///< of correlations of scores
-  int units = 0;                             ///< that have a value of the quantity
+  int units = 0;  ///< that have a value of the quantity, and of the input of a correlation
 };
 
 /// What a study says of one kind of sensor.

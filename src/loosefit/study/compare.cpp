@@ -298,8 +298,10 @@ std::string comparison_text(const StudyComparison& comparison) {
   };
   text +=
       std::ranges::any_of(comparison.differences, has_interval)
-          ? "* zero is not within the interval; of 20 such rows without any difference 2 would "
-            "be so\n"
+          ? fmt::format(
+                "* zero is not within the interval; of 20 such rows without any difference "
+                "2 would be so; rows of fewer than {} are not marked\n",
+                kFewestForInterval)
           : "without intervals: one person or case alone, or values that were chosen, which are no "
             "sample\n";
   text += limits_text(comparison.limits, comparison.of_people);

@@ -4,6 +4,7 @@
 
 #include "loosefit/study/analysis.h"
 #include "loosefit/study/limit_difference.h"
+#include "loosefit/study/population_ranking.h"
 
 namespace loosefit::study {
 
@@ -18,7 +19,12 @@ struct PairedDifference {
   /// Share of people with a higher score in B, clamped likewise; a tie is not higher.
   double better = 0;
   double passing_a = 0, passing_b = 0;
-  bool differs() const { return interval.low > 0 || interval.high < 0; }
+  /// Zero is not within the interval. Never of fewer pairs than kFewestForInterval, whose interval
+  /// leaves zero out far more often than one time in ten without any difference: two pairs of one
+  /// sign always do.
+  bool differs() const {
+    return pairs >= kFewestForInterval && (interval.low > 0 || interval.high < 0);
+  }
 };
 
 struct StudyComparison {

@@ -152,6 +152,22 @@ void note_axes_alone(const StudyData& data, const StudyData& other,
   }
 }
 
+/// People are paired by name and told measures; what the plans do not tell may make them others.
+void note_other_bodies(const StudyData& a, const StudyData& b, CommonCases& common) {
+  std::set<std::string> others;
+  for (const Counterparts& group : common.groups) {
+    const std::string &in_a = a.plan.cases[group.a.front()].wearer,
+                      &in_b = b.plan.cases[group.b.front()].wearer;
+    if (!in_a.empty() && !in_b.empty() && in_a != in_b) others.insert(common.units[group.unit]);
+  }
+  if (!others.empty())
+    common.notes.push_back(fmt::format(
+        "{} of {} people have another body in {} than in {}, though their names and what is told "
+        "of them are the same (sex, age, scan or another key of [scenario.body]): they are not the "
+        "same people",
+        others.size(), common.units.size(), a.plan.name, b.plan.name));
+}
+
 [[noreturn]] void refuse(const StudyData& a, const StudyData& b,
                          const std::vector<std::string>& notes) {
   throw InvalidInput("the studies " + printable(a.plan.name) + " and " + printable(b.plan.name) +
@@ -194,6 +210,7 @@ CommonCases common_cases(const StudyData& a, const StudyData& b) {
   note_open_cases(a, common.notes);
   note_open_cases(b, common.notes);
   if (common.groups.empty()) refuse(a, b, common.notes);
+  note_other_bodies(a, b, common);
   note_axes_alone(a, b, common.notes);
   note_axes_alone(b, a, common.notes);
   if (!knows_wearing(a) || !knows_wearing(b))

@@ -368,7 +368,7 @@ int same_as_others(const Plan& plan) {
 
 int drapes_of(const scenario::Scenario& scenario) {
   const int postures = std::max<int>(1, static_cast<int>(scenario.postures.size()));
-  return postures * std::max(scenario.donning.repeats, scenario.simulation.repeats);
+  return postures * scenario.donning.repeats;
 }
 
 Plan make_plan(const StudyFile& study) {
@@ -408,6 +408,10 @@ Plan make_plan(const StudyFile& study) {
     try {
       const io::ConfigNode root = composed(plan.study, one.levels);
       const scenario::Scenario scenario = scenario_of(root, plan.study);
+      if (scenario.simulation.repeats > 1)
+        throw InvalidInput({study.file, 0, "simulation.repeats"},
+                           std::to_string(scenario.simulation.repeats),
+                           "1: drapes of a study that differ are those of donning.repeats");
       one.looseness = looseness_of(plan.study, one.levels, root);
       one.toml = io::scenario_toml(scenario);
       // As who runs it reads it: what is written may differ in the last bit of an angle.

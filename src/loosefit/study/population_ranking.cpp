@@ -153,7 +153,16 @@ std::vector<SensorChoice> choose_sensors(const std::vector<SiteScores>& sites, i
                                          const SensorConstraints& constraints) {
   std::vector<SensorChoice> chosen;
   if (sites.empty() || sites.front().scores.empty()) return chosen;
-  const std::size_t people = sites.front().scores.size();
+  // Who is rated nowhere counts neither as passing nor as failing.
+  std::vector<std::size_t> rated;
+  for (std::size_t p = 0; p < sites.front().scores.size(); ++p)
+    if (std::ranges::any_of(sites, [p](const SiteScores& s) { return !std::isnan(s.scores[p]); }))
+      rated.push_back(p);
+  const std::size_t people = rated.size();
+  const auto score = [&](std::size_t site, std::size_t p) {
+    const double s = sites[site].scores[rated[p]];
+    return std::isnan(s) ? 0.0 : std::clamp(s, 0.0, 1.0);
+  };
   std::vector<double> best(people, 0.0);
   std::vector<char> out(sites.size(), 0);
   if (!constraints.excluded.empty()) out = constraints.excluded;
@@ -164,10 +173,7 @@ std::vector<SensorChoice> choose_sensors(const std::vector<SiteScores>& sites, i
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (out[i]) continue;
       double sum = 0;
-      for (std::size_t p = 0; p < people; ++p) {
-        const double s = sites[i].scores[p];
-        sum += std::max(best[p], std::isnan(s) ? 0.0 : std::clamp(s, 0.0, 1.0));
-      }
+      for (std::size_t p = 0; p < people; ++p) sum += std::max(best[p], score(i, p));
       if (sum > most) {
         most = sum;
         taken = static_cast<int>(i);
@@ -175,10 +181,7 @@ std::vector<SensorChoice> choose_sensors(const std::vector<SiteScores>& sites, i
     }
     if (taken < 0) break;
     reached = most;
-    for (std::size_t p = 0; p < people; ++p) {
-      const double s = sites[taken].scores[p];
-      if (!std::isnan(s)) best[p] = std::max(best[p], std::clamp(s, 0.0, 1.0));
-    }
+    for (std::size_t p = 0; p < people; ++p) best[p] = std::max(best[p], score(taken, p));
     out[taken] = 1;
     if (!constraints.apart.empty())
       for (std::size_t j = 0; j < sites.size(); ++j)

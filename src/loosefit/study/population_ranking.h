@@ -70,7 +70,7 @@ struct SensorConstraints {
 /// Chooses up to k sites for mean over people of the best score among them: greedy, which for a
 /// monotone submodular function is within 1 − 1/e of the best choice where k alone constrains it
 /// (Nemhauser, Wolsey and Fisher 1978). Ties go to the earlier site; ends when nothing is gained.
-/// A person who is not rated at a site has 0 there.
+/// A person who is not rated at a site has 0 there; who is rated at none is left out.
 std::vector<SensorChoice> choose_sensors(const std::vector<SiteScores>& sites, int k,
                                          const SensorConstraints& constraints = {});
 

@@ -27,7 +27,8 @@ struct Worker {
 };
 
 bool from_outside(int signal) {
-  return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
+  return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP ||
+         signal == SIGXCPU;
 }
 
 std::string last_line(const std::string& text) {

@@ -13,7 +13,8 @@
 namespace loosefit::study {
 namespace {
 
-/// Of a sampled looseness axis: enough for a curve, each with a fifth of the cases.
+/// Of a sampled looseness axis: enough for a curve, each with a fifth of the cases; of fewer values
+/// each is one.
 constexpr int kBins = 5;
 
 /// Why a case that is done has no score.
@@ -111,17 +112,24 @@ class Collector {
     std::vector<int> order(cases);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return value(a) < value(b); });
-    const int bins = std::min(kBins, cases);
+    // Cases of one value stay together: in a crossed design they are of different people, and a bin
+    // with some of them would be one of other people than the next.
+    int distinct = 0;
+    for (int i = 0; i < cases; ++i) distinct += i == 0 || value(order[i]) != value(order[i - 1]);
     data_.level_of_case.assign(cases, 0);
-    std::vector<double> sums(bins, 0.0);
-    std::vector<int> counts(bins, 0);
+    std::vector<double> sums;
+    std::vector<int> counts;
+    int first = 0, last_share = -1;
     for (int i = 0; i < cases; ++i) {
-      const int bin = i * bins / cases;
-      data_.level_of_case[order[i]] = bin;
-      sums[bin] += value(order[i]);
-      ++counts[bin];
+      if (i > 0 && value(order[i]) != value(order[i - 1])) first = i;
+      const int share = distinct <= kBins ? first : first * kBins / cases;
+      if (share != last_share) sums.push_back(0), counts.push_back(0);
+      last_share = share;
+      data_.level_of_case[order[i]] = static_cast<int>(sums.size()) - 1;
+      sums.back() += value(order[i]);
+      ++counts.back();
     }
-    for (int b = 0; b < bins; ++b) {
+    for (std::size_t b = 0; b < sums.size(); ++b) {
       data_.level_bgm.push_back(sums[b] / counts[b]);
       data_.level_labels.push_back(fmt::format("about {:.2f}", data_.level_bgm.back()));
     }

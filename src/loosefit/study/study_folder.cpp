@@ -118,8 +118,11 @@ void check_plan(const FolderPlan& plan, const std::string& file) {
                           const std::string& expected) {
     throw InvalidInput({file, 0, key}, found, expected);
   };
-  for (const FolderCase& one : plan.cases) {
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+    const FolderCase& one = plan.cases[i];
     const std::string of_case = " of case " + std::to_string(one.number);
+    if (one.number != static_cast<int>(i) + 1)
+      refuse("cases.number", std::to_string(one.number), std::to_string(i + 1));
     constexpr std::size_t kDigits = 64;
     if (one.address.size() != kDigits ||
         one.address.find_first_not_of("0123456789abcdef") != std::string::npos)

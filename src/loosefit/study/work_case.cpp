@@ -10,8 +10,10 @@
 #include "loosefit/base/error.h"
 #include "loosefit/base/resources.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/replace_files.h"
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/drape_side_by_side.h"
 #include "loosefit/pipeline/run_case.h"
 #include "loosefit/report/run_into_folder.h"
 #include "loosefit/report/write_output.h"
@@ -47,6 +49,8 @@ pipeline::CaseResult run_keeping(const scenario::Scenario& scenario,
   check_output(scenario, output);
   try {
     return report::run_into_folder(scenario, output, {}, true, progress).result;
+  } catch (const io::MadeMeanwhile& error) {
+    throw IoError(error.what(), error.hint());
   } catch (const InvalidInput&) {
     check_output(scenario, output);  // something may have come in the way meanwhile
     throw;
@@ -59,6 +63,18 @@ pipeline::CaseResult run(scenario::Scenario scenario, const std::filesystem::pat
   if (to_grade_a) scenario.simulation.certificate = solver::RestGrade::a;
   return options.keep_output && !to_grade_a ? run_keeping(scenario, output, progress)
                                             : pipeline::run_case(scenario, progress);
+}
+
+[[noreturn]] void refuse_for_memory(const std::string& address) {
+  throw IoError("case " + address + ": " + pipeline::kNoMemory,
+                "fewer workers (--jobs), or a larger simulation.edge_length");
+}
+
+/// Whether a donning or posture is missing that a machine with more memory would have draped.
+bool lacked_memory(const pipeline::CaseResult& result) {
+  return std::ranges::any_of(result.wear.states, [](const pipeline::CaseState& state) {
+    return state.left_out.ends_with(pipeline::kNoMemory);
+  });
 }
 
 CaseRecord failed(const std::string& reason) {
@@ -77,6 +93,7 @@ CaseRecord measured(const StudyFolder& folder, const std::string& address,
   try {
     const pipeline::CaseResult result =
         run(scenario, folder.case_folder(address) / "output", options, progress, to_grade_a);
+    if (lacked_memory(result)) refuse_for_memory(address);
     const ThreadLimit threads(options.threads);
     return measure_case(result, cards);
   } catch (const InvalidInput& error) {
@@ -84,8 +101,7 @@ CaseRecord measured(const StudyFolder& folder, const std::string& address,
   } catch (const SolverFailure& error) {
     return failed(error.what());
   } catch (const std::bad_alloc&) {
-    throw IoError("case " + address + ": not enough memory",
-                  "fewer workers (--jobs), or a larger simulation.edge_length");
+    refuse_for_memory(address);
   } catch (const IoError&) {
     throw;  // of the machine, not of the case, which is to run again
   } catch (const std::system_error&) {

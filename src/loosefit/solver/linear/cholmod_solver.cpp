@@ -2,6 +2,7 @@
 
 #include <cholmod.h>
 
+#include <new>
 #include <utility>
 
 #include "loosefit/base/check.h"
@@ -47,7 +48,7 @@ struct CholmodSolver::Work {
   void free_factor() { cholmod_free_factor(&factor, &common); }
   void check_memory() const {
     if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-      throw SolverFailure("out of memory in the sparse factorisation");
+      throw std::bad_alloc();
   }
 
   void analyse(const particles::BlockMatrix& a);

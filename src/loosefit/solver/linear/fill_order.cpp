@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 
-#include "loosefit/base/error.h"
 #include "loosefit/solver/linear/linear_tuning.h"
 
 namespace loosefit::solver {
@@ -34,12 +34,12 @@ std::vector<int> fill_reducing_order(const std::vector<int>& column_start,
   common.c.method[0].ordering = n > kMultifrontal.small_graph ? CHOLMOD_METIS : CHOLMOD_AMD;
   cholmod_sparse* graph =
       cholmod_allocate_sparse(n, n, rows.size(), 1, 1, -1, CHOLMOD_PATTERN, &common.c);
-  if (!graph) throw SolverFailure("out of memory in the sparse factorisation");
+  if (!graph) throw std::bad_alloc();
   std::copy(column_start.begin(), column_start.end(), static_cast<int*>(graph->p));
   std::copy(rows.begin(), rows.end(), static_cast<int*>(graph->i));
   cholmod_factor* symbolic = cholmod_analyze(graph, &common.c);
   cholmod_free_sparse(&graph, &common.c);
-  if (!symbolic) throw SolverFailure("out of memory in the sparse factorisation");
+  if (!symbolic) throw std::bad_alloc();
   const int* perm = static_cast<const int*>(symbolic->Perm);
   std::vector<int> order(perm, perm + n);
   cholmod_free_factor(&symbolic, &common.c);

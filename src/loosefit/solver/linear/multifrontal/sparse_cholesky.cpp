@@ -249,7 +249,7 @@ bool SparseCholesky<Real>::factorise(const particles::BlockMatrix& a,
   return w.definite;
 } catch (const std::bad_alloc&) {
   work_->forget();
-  throw SolverFailure("out of memory in the sparse factorisation");
+  throw;
 }
 
 template <class Real>
