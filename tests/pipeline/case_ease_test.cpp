@@ -202,18 +202,18 @@ TEST(CaseEase, StrainWithoutAStatedRangeIsTold) {
 }
 
 TEST(CaseEase, PressureBeyondComfortIsToldWithItsPlace) {
-  CaseMaps maps;
-  maps.pressure.field.contact = {5000, 12000, 3900, 0};
-  maps.pressure.field.area = {8e-4, 4e-4, 1, 1};
-  maps.worn.regions = {body::Region::chest, body::Region::forearm_left, body::Region::chest,
-                       body::Region::chest};
-  const auto lines = comfort_warnings(maps);
+  maps::PressureField field;
+  field.contact = {5000, 12000, 3900, 0};
+  field.area = {8e-4, 4e-4, 1, 1};
+  const std::vector<body::Region> regions = {body::Region::chest, body::Region::forearm_left,
+                                             body::Region::chest, body::Region::chest};
+  const auto lines = comfort_warnings(field, regions);
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_NE(lines[0].find("up to 12 kPa) on 12 cm²"), std::string::npos) << lines[0];
   EXPECT_NE(lines[0].find("forearm_sleeve_L with 4.8 N"), std::string::npos) << lines[0];
-  maps.pressure.field.area[1] = 1e-4;  // 9 cm² in all: a fold in an armpit
-  EXPECT_TRUE(comfort_warnings(maps).empty());
-  EXPECT_TRUE(comfort_warnings({}).empty());
+  field.area[1] = 1e-4;  // 9 cm² in all: a fold in an armpit
+  EXPECT_TRUE(comfort_warnings(field, regions).empty());
+  EXPECT_TRUE(comfort_warnings({}, {}).empty());
 }
 
 }  // namespace

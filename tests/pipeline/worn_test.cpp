@@ -337,6 +337,35 @@ TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
             "an opening made for the left leg goes round no part of the body");
   EXPECT_EQ(stocking.on(moved(x, {-2 * knee.x(), 0, 0})),
             Reasons{"an opening made for the left leg goes round the right leg"});
+  EXPECT_EQ(stocking.on(moved(x, {0, 0, -0.08})), Reasons{});
+  const Reasons slid = stocking.on(moved(x, {0, 0, -0.35}));
+  ASSERT_EQ(slid.size(), 1u) << "on the shank";
+  EXPECT_TRUE(slid[0].starts_with("what goes round the left leg has slid down it by 0.3"))
+      << slid[0];
+}
+
+// Its cuff is beyond the hand, and its upper end on the forearm.
+TEST(Worn, NotASleeveAloneThatHasSlidToTheHand) {
+  const body::Body& body = woman();
+  const Vec3 shoulder = body.joints.at("shoulder_L"), wrist = body.joints.at("wrist_L");
+  const Vec3 along = (wrist - shoulder).normalized();
+  // Along the arm, its upper end so far below the shoulder.
+  const auto on_arm = [&](pattern::Pattern& cut, double from) {
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(-Vec3::UnitZ(), along);
+    for (pattern::Panel& panel : cut.panels) {
+      panel.translation = turn * panel.translation + shoulder + from * along;
+      panel.rotation = turn * panel.rotation;
+    }
+  };
+  pattern::Pattern upper = two_panels(0.20, 0.16, 0.25, 0, 0);
+  on_arm(upper, 0.05);
+  const Sewn sleeve(upper);
+  std::vector<Vec3> x = drape::placed_by_pattern(sleeve.mesh(), sleeve.pattern);
+  EXPECT_EQ(sleeve.on(x), Reasons{});
+  const Reasons slid = sleeve.on(moved(x, 0.25 * along));
+  ASSERT_FALSE(slid.empty());
+  EXPECT_TRUE(slid.back().starts_with("what goes round the left arm has slid down it by 0."))
+      << slid.back();
 }
 
 // Its file may place it anywhere.

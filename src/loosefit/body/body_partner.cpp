@@ -1,5 +1,6 @@
 #include "loosefit/body/body_partner.h"
 
+#include <algorithm>
 #include <array>
 
 #include "loosefit/base/error.h"
@@ -56,7 +57,11 @@ bool PartnerFinder::belongs(int vertex, BodyPart part) const {
   const Segment segment = body_.segment[vertex];
   switch (part) {
     case BodyPart::trunk:
-      return segment == Segment::upper_arm || segment == Segment::thigh;
+      return segment != Segment::forearm && segment != Segment::hand;
+    case BodyPart::both_legs:
+      return own == BodyPart::leg_left || own == BodyPart::leg_right || segment == Segment::torso;
+    case BodyPart::trunk_and_arms:
+      return true;
     case BodyPart::leg_left:
     case BodyPart::leg_right:
       return segment == Segment::torso || segment == Segment::thigh;
@@ -65,11 +70,28 @@ bool PartnerFinder::belongs(int vertex, BodyPart part) const {
   }
 }
 
-BodyPart PartnerFinder::part_of(const std::vector<Vec3>& points) const {
+BodyPart PartnerFinder::part_of(const std::vector<Vec3>& points,
+                                const std::vector<Vec3>& normals) const {
+  constexpr double kOtherLeg = 0.2,
+                   kForearms = 0.1;  // of the points, from which on a panel has them
   std::array<int, 5> votes{};
-  for (const Vec3& p : points)
-    ++votes[static_cast<int>(part_of_vertex(body_, particle_tree().query(p).triangle))];
-  return static_cast<BodyPart>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+  int round_forearms = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int vertex = particle_tree().query(points[i]).triangle;
+    ++votes[static_cast<int>(part_of_vertex(body_, vertex))];
+    const Segment segment = body_.segment[vertex];
+    round_forearms += (segment == Segment::forearm || segment == Segment::hand) &&
+                      body_.normals[vertex].dot(normals[i]) > 0;
+  }
+  const auto most = static_cast<BodyPart>(std::ranges::max_element(votes) - votes.begin());
+  const auto count = static_cast<double>(points.size());
+  const auto of = [&](BodyPart part) { return votes[static_cast<int>(part)]; };
+  if (most == BodyPart::trunk && round_forearms > kForearms * count)
+    return BodyPart::trunk_and_arms;
+  if ((most == BodyPart::leg_left || most == BodyPart::leg_right) &&
+      std::min(of(BodyPart::leg_left), of(BodyPart::leg_right)) > kOtherLeg * count)
+    return BodyPart::both_legs;
+  return most;
 }
 
 bool PartnerFinder::faces_alike(int triangle, const Vec3& garment_normal, BodyPart part) const {

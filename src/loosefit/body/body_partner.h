@@ -14,14 +14,16 @@ struct BodyPartner {
   double particle_distance = 0;  ///< to the nearest body vertex of the same faces [m]
 };
 
-/// Limb a garment panel belongs to.
-enum class BodyPart { trunk, arm_left, arm_right, leg_left, leg_right };
+/// Part of the body a garment panel belongs to: one of it, or several where one panel covers them:
+/// the front of a skirt both legs, that of a kimono trunk and arms.
+enum class BodyPart { trunk, arm_left, arm_right, leg_left, leg_right, both_legs, trunk_and_arms };
 
 /// Finds the body partner of garment points. A partner lies on the panel's own part of the body or
-/// on a neighbouring one (trunk panels: trunk, upper arms, thighs; sleeves: that arm and the
-/// torso), and its surface faces the same way as the garment, else an armpit point would jump
-/// between arm and chest. Where facing alike would push the partner more than kFoldReach further
-/// away, the garment is folded over and the plainly nearest point counts.
+/// on a neighbouring one (trunk panels: trunk, upper arms, legs; sleeves: that arm and the torso;
+/// trouser legs: that leg, the torso and the other thigh), and its surface faces the same way as
+/// the garment, else an armpit point would jump between arm and chest. Where facing alike would
+/// push the partner more than kFoldReach further away, the garment is folded over and the plainly
+/// nearest point counts.
 class PartnerFinder {
  public:
   static constexpr double kFoldReach = 0.06;  ///< [m]
@@ -29,8 +31,11 @@ class PartnerFinder {
   /// Keeps references to both; `surface`: of the body's surface. \throws InvalidInput for a body
   /// without a segment, side or normal for every vertex.
   PartnerFinder(const Body& body, const geometry::ClosestPointTree& surface);
-  /// Part that most of `points` lie nearest to: the part of a panel.
-  BodyPart part_of(const std::vector<Vec3>& points) const;
+  /// The part of a panel: that which most of its `points` lie nearest to; both legs where a fifth
+  /// of them or more lies nearest to the other leg, trunk and arms where a tenth or more lies
+  /// nearest to a forearm or hand that faces the way of their unit `normals`, round which the cloth
+  /// goes and not beside it.
+  BodyPart part_of(const std::vector<Vec3>& points, const std::vector<Vec3>& normals) const;
   BodyPartner find(const Vec3& point, const Vec3& garment_normal, BodyPart part) const;
   /// The same but for particle_distance, which stays zero and takes half of the time.
   BodyPartner find_on_surface(const Vec3& point, const Vec3& garment_normal, BodyPart part) const;

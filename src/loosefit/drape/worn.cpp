@@ -11,6 +11,7 @@
 #include "loosefit/drape/hood_seam.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/openings.h"
+#include "loosefit/drape/polyline.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/drape/tube_rings.h"
 #include "loosefit/pattern/piece_names.h"
@@ -74,6 +75,7 @@ class Verdict {
       check_sunk(of);
       check_tube(of);
       check_way_up(of);
+      check_slid(of);
       check_open_front(of);
     }
     if (openings.empty()) check_sunk({});
@@ -266,6 +268,23 @@ class Verdict {
       say("the garment is upside down: its hem lies above its waist");
   }
 
+  /// The end of a stocking or a sleeve alone that is nearer to the trunk has not slid down its
+  /// limb.
+  void check_slid(const std::vector<const Opening*>& of) {
+    const LimbLines at_rest = limb_lines(levels_.joints());
+    for (int limb = kLeftArm; limb < kLimbs; ++limb) {
+      double made = HUGE_VAL, worn = HUGE_VAL;  // ways along the limb [m]
+      for (const Opening* o : of) {
+        if (o->use != kinds::OpeningUse::limb || o->round != round_limb(Limb(limb))) continue;
+        made = std::min(made, Polyline(at_rest[limb]).project(o->placed));
+        worn = std::min(worn, Polyline(lines_[limb]).project(middle_of(o->loop)));
+      }
+      if (worn - made > kSlip * way_)
+        say(fmt::format("what goes round {} has slid down it by {:.2f} m", kLimbNames[limb],
+                        worn - made));
+    }
+  }
+
   /// The hem of a top hangs about as far from its neck as the cloth between them is long. One that
   /// is too narrow for the hips, or longer than the trunk lets it hang, rides up.
   void check_ridden_up(const Opening& hem) {
@@ -295,9 +314,9 @@ class Verdict {
       if (!is_arm(*o)) continue;
       const std::string side = o->use == kinds::OpeningUse::left_arm ? "left" : "right";
       const Vec3& shoulder = body_->joints.at(side == "left" ? "shoulder_L" : "shoulder_R");
-      double away = distance_of(o->loop, shoulder);
+      double away = (middle_of(o->loop) - shoulder).norm();
       for (const std::vector<int>& ring : tube_rings(garment_, o->loop, widest(*o)))
-        away = std::min(away, distance_of(ring, shoulder));
+        away = std::min(away, (middle_of(ring) - shoulder).norm());
       if (away > kShoulder * levels_.height) say_armhole(side, away);
     }
     double highest = levels_.of(x_[front->loop.front()]);
@@ -324,26 +343,22 @@ class Verdict {
 
   /// Name of a piece with the first vertex of an opening.
   std::string piece_at(const Opening& o) const {
-    for (std::size_t t = 0; t < garment_.triangles.size(); ++t)
-      if (std::ranges::count(garment_.triangles[t], o.loop.front()) > 0)
-        return garment_.panel_names[garment_.triangle_panel[t]];
-    return {};
+    return garment_.panel_names[garment_.vertex_panel[o.loop.front()]];
   }
 
   static bool is_arm(const Opening& o) {
     return o.use == kinds::OpeningUse::left_arm || o.use == kinds::OpeningUse::right_arm;
   }
 
-  double distance_of(const std::vector<int>& vertices, const Vec3& p) const {
+  Vec3 middle_of(const std::vector<int>& vertices) const {
     Vec3 middle = Vec3::Zero();
     for (int v : vertices) middle += x_[v] / static_cast<double>(vertices.size());
-    return (middle - p).norm();
+    return middle;
   }
 
   void say_armhole(const std::string& side, double away) {
     say(fmt::format("the {} armhole lies {:.2f} m from the shoulder", side, away));
   }
-
   double widest(const Opening& o) const { return std::max(1.5 * o.girth, kSleeve * chest_girth_); }
 
   /// Share of a placed height that is left on this wearer: a pattern that begins above the

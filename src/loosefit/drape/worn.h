@@ -22,7 +22,8 @@ namespace loosefit::drape {
 ///   the pattern places it, not above the waist nor below the upper hips; a tube for the trunk may
 ///   be made for the chest. Neck openings on the shoulders, hems and cuffs may lie where they like;
 /// * a tube with two ends goes round what it is placed round: the trunk, the neck (a poncho, whose
-///   hem may lie on the arms) or one limb (a stocking); when that is nothing known, whatever is in
+///   hem may lie on the arms) or one limb (a stocking, whose upper end has not slid down the limb by
+///   more than half the way from waist to crotch); when that is nothing known, whatever is in
 ///   one end is in the other; the hem of a skirt is not above its waist;
 /// * arms are in what is called a sleeve;
 /// * a garment that is open in front has its armholes at the shoulders and its edge behind the

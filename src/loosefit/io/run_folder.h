@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/error.h"
 #include "loosefit/io/output_mark.h"
 #include "loosefit/io/staging_folder.h"
 

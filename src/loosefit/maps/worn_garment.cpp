@@ -16,10 +16,13 @@ WornGarment relate(const garment::Garment& garment, const std::vector<Vec3>& pos
   worn.normals = geometry::vertex_normals(positions, garment.triangles);
   worn.areas = vertex_areas(garment);
 
-  std::vector<std::vector<Vec3>> panel_points(garment.panel_names.size());
-  for (int v = 0; v < garment.vertex_count; ++v)
-    panel_points[garment.vertex_panel[v]].push_back(positions[v]);
-  for (const auto& points : panel_points) worn.panel_part.push_back(finder.part_of(points));
+  std::vector<std::vector<Vec3>> points(garment.panel_names.size()), normals(points.size());
+  for (int v = 0; v < garment.vertex_count; ++v) {
+    points[garment.vertex_panel[v]].push_back(positions[v]);
+    normals[garment.vertex_panel[v]].push_back(worn.normals[v]);
+  }
+  for (std::size_t panel = 0; panel < points.size(); ++panel)
+    worn.panel_part.push_back(finder.part_of(points[panel], normals[panel]));
   for (int panel : garment.vertex_panel) worn.vertex_part.push_back(worn.panel_part[panel]);
 
   worn.partners = body::find_partners(finder, positions, worn.normals, worn.vertex_part);

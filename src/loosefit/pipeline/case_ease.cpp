@@ -162,8 +162,8 @@ std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
   return lines;
 }
 
-std::vector<std::string> comfort_warnings(const CaseMaps& maps) {
-  const maps::PressureField& field = maps.pressure.field;
+std::vector<std::string> comfort_warnings(const maps::PressureField& field,
+                                          const std::vector<body::Region>& regions) {
   const double limit = *std::rbegin(maps::kPressureClasses);
   double area = 0, largest = 0;
   std::map<body::Region, double> force;
@@ -171,7 +171,7 @@ std::vector<std::string> comfort_warnings(const CaseMaps& maps) {
     if (field.contact[i] < limit) continue;
     area += field.area[i];
     largest = std::max(largest, field.contact[i]);
-    force[maps.worn.regions[i]] += field.contact[i] * field.area[i];
+    force[regions[i]] += field.contact[i] * field.area[i];
   }
   if (area < kToldPressedArea) return {};
   const auto most = std::ranges::max_element(

@@ -64,6 +64,7 @@ std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
 /// In words: skin that is pressed beyond comfort (the last of maps::kPressureClasses) over more
 /// than a few square centimetres, and where; one line at most. What lies between an arm and the
 /// trunk is a hidden fold more often than a tight place, and is told apart by the load.
-std::vector<std::string> comfort_warnings(const CaseMaps& maps);
+std::vector<std::string> comfort_warnings(const maps::PressureField& field,
+                                          const std::vector<body::Region>& regions);
 
 }  // namespace loosefit::pipeline

@@ -61,10 +61,36 @@ std::string under(std::size_t garment, const CaseResult& result) {
   return garment + 1 < result.garments.size() ? fmt::format("under {}: ", garment + 1) : "";
 }
 
-/// How a garment is worn in one drape, where not as usual, by what is unusual.
-std::map<std::string, Lines> way_of_wearing(const CaseGarment& garment, const drape::Drape& drape,
-                                            const body::PosedBody& body) {
-  std::map<std::string, Lines> told;
+/// What is to be said of one drape, by what it is about.
+using Told = std::map<std::string, Lines>;
+
+/// What is told of several drapes: of each kind what the reference state has, or else the first
+/// that has it, and the names of all that do.
+Lines told_once(const Told& in_reference,
+                const std::vector<std::pair<std::string, Told>>& in_states) {
+  std::map<std::string, Lines> first, where;
+  for (const auto& [name, told] : in_states)
+    for (const auto& [kind, lines] : told) {
+      if (in_reference.contains(kind)) continue;
+      first.try_emplace(kind, lines);
+      if (std::ranges::count(where[kind], name) == 0) where[kind].push_back(name);
+    }
+  Lines all;
+  for (const auto& [kind, lines] : in_reference) all.insert(all.end(), lines.begin(), lines.end());
+  for (const auto& [kind, lines] : first) {
+    const Lines& names = where[kind];
+    const std::string also =
+        names.size() > 1 ? "; also in " + join(Lines(names.begin() + 1, names.end())) : "";
+    for (const std::string& line : lines)
+      all.push_back(fmt::format("{} (in {}{})", line, names.front(), also));
+  }
+  return all;
+}
+
+/// How a garment is worn in one drape, where not as usual.
+Told way_of_wearing(const CaseGarment& garment, const drape::Drape& drape,
+                    const body::PosedBody& body) {
+  Told told;
   told["risen"] =
       drape::risen_edges(garment.mesh(), garment.pattern.pattern, drape.positions, body);
   const drape::WayRound way =
@@ -79,32 +105,90 @@ std::map<std::string, Lines> way_of_wearing(const CaseGarment& garment, const dr
   return told;
 }
 
-/// The same of all states that count: of each kind what the reference state has, or else the first
-/// that has it, and the names of the postures.
+/// The same of all states that count.
 Lines ways_of_wearing(const CaseResult& result, std::size_t g) {
   const CaseGarment& garment = result.garments[g];
-  const auto in_reference = way_of_wearing(garment, garment.drape, result.body.body);
-  std::map<std::string, Lines> first, where;
+  std::vector<std::pair<std::string, Told>> in_states;
+  for (const CaseState& state : result.wear.states)
+    if (state.counts())
+      in_states.emplace_back(
+          state.name, way_of_wearing(garment, state.drapes[g], result.body_in(state.id.posture)));
+  return told_once(way_of_wearing(garment, garment.drape, result.body.body), in_states);
+}
+
+/// What the skin bears beyond comfort; of the studied garment in all states that count.
+Lines comfort_of(const CaseResult& result, std::size_t g) {
+  const auto told = [](const Lines& lines) { return lines.empty() ? Told{} : Told{{"", lines}}; };
+  const CaseMaps& maps = result.garments[g].maps;
+  const Told here = told(comfort_warnings(maps.pressure.field, maps.worn.regions));
+  std::vector<std::pair<std::string, Told>> in_states;
+  if (g + 1 == result.garments.size())
+    for (const CaseState& state : result.wear.states)
+      if (state.counts())
+        in_states.emplace_back(
+            state.name, told(comfort_warnings(state.maps.pressure, state.maps.worn.regions)));
+  return told_once(here, in_states);
+}
+
+/// Cloth that is strained beyond the range of its card; also the state of which most is, where that
+/// is more than of twice the area of the reference state.
+Lines strain_of(const CaseResult& result, std::size_t g) {
+  const CaseGarment& garment = result.garments[g];
+  const scenario::MaterialCard& card = result.scenario.garments[g].material;
+  Lines all = strain_range_warnings(garment.maps.strain_range, card);
+  maps::StrainRange most = garment.maps.strain_range;
+  most.share_beyond *= 2;
+  std::string where;
   for (const CaseState& state : result.wear.states) {
     if (!state.counts()) continue;
-    for (auto& [kind, lines] :
-         way_of_wearing(garment, state.drapes[g], result.body_in(state.id.posture))) {
-      if (in_reference.contains(kind)) continue;
-      first.try_emplace(kind, lines);
-      if (std::ranges::count(where[kind], state.name) == 0) where[kind].push_back(state.name);
-    }
+    const maps::StrainRange range =
+        maps::strain_range(garment.mesh(), state.drapes[g].positions, card.material);
+    if (range.share_beyond <= most.share_beyond) continue;
+    most = range;
+    where = state.name;
   }
-  Lines told;
-  for (const auto& [kind, lines] : in_reference)
-    told.insert(told.end(), lines.begin(), lines.end());
-  for (const auto& [kind, lines] : first) {
-    const Lines& names = where[kind];
-    const std::string also =
-        names.size() > 1 ? "; also in " + join(Lines(names.begin() + 1, names.end())) : "";
-    for (const std::string& line : lines)
-      told.push_back(fmt::format("{} (in {}{})", line, names.front(), also));
-  }
+  if (!where.empty())
+    for (const std::string& line : strain_range_warnings(most, card))
+      all.push_back(line + " (in " + where + ", the most of all states)");
+  return all;
+}
+
+/// What makes a drape that is at rest less exact than others.
+Told doubts_of_settling(const drape::Drape& drape, double thickness, std::size_t triangles) {
+  Told told;
+  if (drape.certificate.settled() && drape.certificate.stable == false)
+    told["saddle"] = {
+        "not stable: the forces balance, but on a saddle of the energy that was not left; a touch "
+        "would send the cloth into other folds"};
+  const drape::SettleReport& report = drape.report;
+  if (report.coarsened_field > 0)
+    told["coarse field"] = {fmt::format(
+        "the field of distances to the skin has a spacing of {:.1f} mm, coarser than asked for, "
+        "since the cloth takes up so much room: contact is less exact",
+        1e3 * report.coarsened_field)};
+  constexpr double kToldShare = 0.001, kToldOffset = 0.0005;  // of the triangles; [m]
+  if (report.held_off_triangles > kToldShare * static_cast<double>(triangles) &&
+      report.largest_contact_offset > 0.5 * thickness + kToldOffset)
+    told["held off"] = {fmt::format(
+        "{} of {} triangles are held off the skin, by up to {:.1f} mm, where they would cut it: "
+        "gaps, contact and pressure there are of that distance",
+        report.held_off_triangles, triangles, 1e3 * report.largest_contact_offset)};
   return told;
+}
+
+/// The same of the reference state and all states that count.
+Lines doubts_of_settling(const CaseResult& result) {
+  double thickness = 0;
+  std::size_t triangles = 0;
+  for (std::size_t g = 0; g < result.garments.size(); ++g) {
+    thickness = std::max(thickness, result.scenario.garments[g].material.material.thickness);
+    triangles += result.garments[g].mesh().triangles.size();
+  }
+  std::vector<std::pair<std::string, Told>> in_states;
+  for (const CaseState& state : result.wear.states)
+    if (state.counts())
+      in_states.emplace_back(state.name, doubts_of_settling(state.drape(), thickness, triangles));
+  return told_once(doubts_of_settling(result.studied().drape, thickness, triangles), in_states);
 }
 
 /// How the garments fit, and whether their cloth was measured as far as it is strained. What the
@@ -122,12 +206,12 @@ void add_fit(Lines& all, const CaseResult& result) {
       told.insert(told.end(), more.begin(), more.end());
     };
     if (result.certificate().worn()) tell(ways_of_wearing(result, g));
-    Lines comfort = comfort_warnings(garment.maps);
+    Lines comfort = comfort_of(result, g);
     if (!outermost)
       for (std::string& line : comfort) line += ", with what is worn over it";
     tell(comfort);
     add(all, "fit", told, under(g, result));
-    add(all, "material", strain_range_warnings(garment.maps.strain_range, asked.material));
+    add(all, "material", strain_of(result, g), under(g, result));
   }
 }
 
@@ -153,10 +237,6 @@ void add_certificate(Lines& all, const drape::Certificate& certificate) {
                     "body {}, with itself {}",
                     certificate.stop_reason, certificate.residual, certificate.intersections_body,
                     certificate.intersections_self));
-  else if (certificate.stable == false)
-    all.push_back(
-        "settle: not stable: the forces balance, but on a saddle of the energy that was not left; "
-        "a touch would send the cloth into other folds");
   if (!certificate.worn()) all.push_back("not worn: " + join(certificate.worn_reasons, "; "));
 }
 
@@ -204,11 +284,7 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   for (const placement::UncoveredSite& line : result.lines_left_out)
     all.push_back("placement: line " + line.name + " is left out: " + line.why);
   add_certificate(all, result.certificate());
-  if (const double spacing = result.studied().drape.report.coarsened_field; spacing > 0)
-    all.push_back(fmt::format(
-        "settle: the field of distances to the skin has a spacing of {:.1f} mm, coarser "
-        "than asked for, since the cloth takes up so much room: contact is less exact",
-        1e3 * spacing));
+  add(all, "settle", doubts_of_settling(result));
   add(all, "settle", result.repeats.warnings);
   add(all, "settle", alike_warnings(result.scenario));
   if (result.scenario.simulation.repeats > 1 && result.repeats.spread.empty())

@@ -86,6 +86,17 @@ std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const bod
   return with_reasons(std::move(drapes), found);
 }
 
+std::string what_worn_says(const CaseResult& result) {
+  if (result.body.body->joints.empty())
+    return "as far as a body without joints tells: the garment touches the skin";
+  for (const CaseGarment& garment : result.garments)
+    if (!drape::unjudged_openings(garment.mesh(), garment.pattern.pattern, garment.drape.positions,
+                                  result.body.body)
+             .empty())
+      return "as far as it is known what its openings are for: see the warnings";
+  return "every limb goes through its opening, and no opening has left its place";
+}
+
 CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference) {
   if (!state.draped()) return state;
   state.drapes = check_worn(std::move(state.drapes), body, reference);

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "loosefit/pipeline/case_result.h"
@@ -23,5 +24,9 @@ std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const bod
 /// The same of a state of `reference`, when it is settled. It is left out with the reasons when it
 /// is not worn.
 CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseResult& reference);
+
+/// What was asked of garments that are worn, as a phrase: all that drape/worn.h asks, or what of it
+/// could be asked of these openings and this body.
+std::string what_worn_says(const CaseResult& result);
 
 }  // namespace loosefit::pipeline

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "loosefit/base/text.h"
-#include "loosefit/drape/worn.h"
+#include "loosefit/pipeline/check_worn.h"
 
 namespace loosefit::report {
 namespace {
@@ -27,17 +27,10 @@ std::string certificate_text(const pipeline::CaseResult& result) {
         "to go by the next Newton step: at most {:.4f} mm, normals {:.3f} degrees (99 % of them)\n",
         1e3 * certificate.left->move, degrees(certificate.left->turn));
   if (certificate.stable == false) text += "NOT STABLE: at rest on a saddle of the energy\n";
-  const pipeline::CaseGarment& garment = result.studied();
   if (!certificate.worn())
     text += fmt::format("NOT WORN: {}\n", terminal_line(join(certificate.worn_reasons, "; ")));
-  else if (result.body.body->joints.empty())
-    text += "worn, as far as a body without joints tells: it touches the skin\n";
-  else if (drape::unjudged_openings(garment.mesh(), garment.pattern.pattern,
-                                    garment.drape.positions, result.body.body)
-               .empty())
-    text += "worn: every limb goes through its opening, and no opening has left its place\n";
   else
-    text += "worn, as far as it is known what its openings are for: see the warnings\n";
+    text += "worn: " + pipeline::what_worn_says(result) + "\n";
   if (const auto& unsettled = result.studied().drape.unsettled)
     text += fmt::format("because {}\nhint: {}\n", terminal_line(unsettled->why),
                         terminal_line(unsettled->hint));

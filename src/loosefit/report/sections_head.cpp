@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "loosefit/base/text.h"
+#include "loosefit/pipeline/check_worn.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/residual_chart.h"
 #include "loosefit/report/sections.h"
@@ -78,9 +79,8 @@ std::string certificate_section(const pipeline::CaseResult& result) {
     text = "<strong>Settled.</strong> The net force left on the cloth is " +
            number(100 * c.residual, 2) +
            " % of its weight, and an exact test finds no triangle of the garment crossing the body "
-           "or another part of itself. <strong>Worn.</strong> Every limb goes through its opening, "
-           "and no opening has left "
-           "its place on the body.";
+           "or another part of itself. <strong>Worn:</strong> " +
+           escaped(pipeline::what_worn_says(result)) + ".";
   } else if (c.settled()) {
     text = "<strong>" + std::string(result.sealed() ? "SEALED: " : "") +
            "this garment is not worn: " + escaped(join(c.worn_reasons, "; ")) +
