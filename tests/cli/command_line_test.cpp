@@ -180,11 +180,12 @@ TEST_F(CommandLine, UnsettledRunIsSealedAndReturnsOne) {
 // As under nohup: the terminal goes, the run does not. Sent once the program catches signals.
 TEST_F(CommandLine, ASignalThatIsIgnoredFromTheStartEndsNothing) {
   const std::string out = (base / "out").string();
-  const ProgramRun run = run_program(
-      "sh -c 'trap \"\" HUP; " + std::string(LOOSEFIT_BINARY) + " run " +
-      file("case.toml", kStopped) + " --no-pictures -o " + out +
-      " & p=$!; until grep -q \"SigCgt:.*[4-7c-f]...$\" /proc/$p/status; do sleep 0.01; done; "
-      "kill -HUP $p || exit 99; wait $p'");
+  const ProgramRun run =
+      run_program("sh -c 'trap \"\" HUP; " + std::string(LOOSEFIT_BINARY) + " run " +
+                  file("case.toml", kStopped) + " --no-pictures -o " + out +
+                  " & p=$!; for k in $(seq 1000); do "
+                  "grep -q \"SigCgt:.*[4-7c-f]...$\" /proc/$p/status && break; sleep 0.01; done; "
+                  "kill -HUP $p || exit 99; wait $p'");
   EXPECT_EQ(run.exit_code, 1) << run.output;
   EXPECT_EQ(run.output.find("interrupted"), std::string::npos) << run.output;
   EXPECT_TRUE(fs::exists(base / "out/summary.json"));

@@ -148,21 +148,6 @@ TEST(Strain, AFlatlessTriangleHasNone) {
   EXPECT_TRUE(std::isnan(to_vertices(g, {value})[0]));
 }
 
-// Warp and weft of two pieces differ at a seam; shear of mirror images would cancel there.
-TEST(Strain, VerticesOfASeamHaveWhatTheirOwnPanelHas) {
-  garment::Garment g;
-  g.panel_names = {"left", "right"};
-  g.vertex_count = 4;
-  g.triangles = {{0, 1, 2}, {1, 3, 2}};
-  g.triangle_uv = {{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, {Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}};
-  g.triangle_panel = {0, 1};
-  g.vertex_panel = {0, 0, 1, 1};
-  EXPECT_EQ(to_vertices(g, {0.1, -0.1}), (std::vector<double>{0.1, 0.1, -0.1, -0.1}));
-  const std::vector<double> without = to_vertices(g, {0.1, std::nan("")});
-  EXPECT_EQ(without[2], 0.1) << "of the other panel where its own has none";
-  EXPECT_TRUE(std::isnan(without[3]));
-}
-
 TEST(Strain, AreasSumToTheCloth) {
   const garment::Garment g = testing::tube_garment(0.8, 0.6, 30, 20);
   double sum = 0;

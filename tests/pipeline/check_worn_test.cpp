@@ -127,6 +127,43 @@ TEST_F(CheckWorn, AWaistThatHasRisenIsToldOfPosturesAndOfGarmentsUnderOthers) {
   EXPECT_TRUE(warns(two, "fit: under 1: " + kRisen, kEnd));
 }
 
+// What only a further posture or donning shows is told with its name.
+TEST_F(CheckWorn, WhatFurtherStatesShowIsWarnedOfWithTheirNames) {
+  CaseResult result = tube(34, 56, 45, 60);
+  ASSERT_TRUE(result.certificate().holds());
+  const double limit = result.scenario.studied().material.material.valid_strain_weft;
+  const auto state = [&](const std::string& name, int donning) {
+    CaseState made;
+    made.name = name;
+    made.id = {1, donning};
+    made.drapes = {result.studied().drape};
+    result.wear.states.push_back(made);
+    return &result.wear.states.back();
+  };
+  result.wear.postures = {"standing", "reaching"};
+  result.wear.bodies = {result.body.body, result.body.body};
+  EXPECT_FALSE(warns(result, "material: strained", ""));
+  for (Vec3& p : state("reaching", 0)->drapes[0].positions) p.head<2>() *= 1 + 2 * limit;
+  EXPECT_TRUE(warns(result, "material: strained", " (in reaching, the most of all states)"));
+  // Of donnings the number is told, too.
+  result.wear.donnings.resize(2);
+  drape::Drape& again = state("reaching", 1)->drapes[0];
+  again.certificate.stable = false;
+  again.report.coarsened_field = 0.004;
+  again.report.held_off_triangles = static_cast<int>(result.studied().mesh().triangles.size());
+  again.report.largest_contact_offset = 0.003;
+  const std::string there = " (in reaching of donning 2)";
+  EXPECT_TRUE(warns(result, "settle: not stable", there));
+  EXPECT_TRUE(warns(result, "settle: the field of distances", there));
+  EXPECT_TRUE(warns(result, "settle: ", "are of that distance" + there));
+  EXPECT_TRUE(
+      warns(result, "material: strained", " (in reaching of donning 1, the most of all states)"));
+  // Nothing of a state that does not count.
+  for (CaseState& s : result.wear.states) s.left_out = "not settled";
+  EXPECT_FALSE(warns(result, "settle: not stable", ""));
+  EXPECT_FALSE(warns(result, "material: strained", ""));
+}
+
 TEST_F(CheckWorn, ATubeThatSlidesToTheCalvesIsSealedNamedAndJudgedAgainWhenItIsRead) {
   const CaseResult result = tube(56, 56, 22, 50);
   const drape::Certificate& c = result.certificate();

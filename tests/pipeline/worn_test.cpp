@@ -342,6 +342,12 @@ TEST(Worn, AStockingOnItsLegAndNotBesideIt) {
   ASSERT_EQ(slid.size(), 1u) << "on the shank";
   EXPECT_TRUE(slid[0].starts_with("what goes round the left leg has slid down it by 0.3"))
       << slid[0];
+  // Made for somebody taller: no stocking lies above the crotch.
+  pattern::Pattern tall = stocking.pattern;
+  for (pattern::Panel& panel : tall.panels) panel.translation.z() += 0.12;
+  const Sewn high(tall);
+  const std::vector<Vec3> placed = moved(round_the_body(high, 0), {0, knee.y(), 0});
+  EXPECT_EQ(high.on(moved(placed, {0, 0, -0.16})), Reasons{}) << "on the upper thigh";
 }
 
 // Its cuff is beyond the hand, and its upper end on the forearm.

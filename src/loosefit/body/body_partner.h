@@ -18,6 +18,10 @@ struct BodyPartner {
 /// the front of a skirt both legs, that of a kimono trunk and arms.
 enum class BodyPart { trunk, arm_left, arm_right, leg_left, leg_right, both_legs, trunk_and_arms };
 
+inline bool covers_trunk(BodyPart part) {
+  return part == BodyPart::trunk || part == BodyPart::trunk_and_arms;
+}
+
 /// Finds the body partner of garment points. A partner lies on the panel's own part of the body or
 /// on a neighbouring one (trunk panels: trunk, upper arms, legs; sleeves: that arm and the torso;
 /// trouser legs: that leg, the torso and the other thigh), and its surface faces the same way as

@@ -90,4 +90,20 @@ LimbNumbers round_limb(Limb limb) {
   return numbers;
 }
 
+const char* limb_name(Limb limb) {
+  static const char* const names[] = {"the head", "the left arm", "the right arm", "the left leg",
+                                      "the right leg"};
+  return names[limb];
+}
+
+std::string round_what(const LimbNumbers& numbers) {
+  if (numbers == kRoundTrunk) return "the trunk";
+  if (numbers == kRoundNothing) return "no part of the body";
+  std::string text;
+  for (int limb = 0; limb < kLimbs; ++limb)
+    if (numbers[limb] != 0)
+      text += (text.empty() ? "" : " and ") + std::string(limb_name(Limb(limb)));
+  return text;
+}
+
 }  // namespace loosefit::drape

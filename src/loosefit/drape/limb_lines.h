@@ -32,4 +32,10 @@ inline constexpr LimbNumbers kRoundNeck = {1, 0, 0, 0, 0};
 inline constexpr LimbNumbers kRoundTrunk = {0, 0, 0, 1, 1};
 LimbNumbers round_limb(Limb limb);
 
+/// "the left arm"
+const char* limb_name(Limb limb);
+/// What a curve with these numbers goes round: "the trunk", "the head and the left arm", "no part
+/// of the body".
+std::string round_what(const LimbNumbers& numbers);
+
 }  // namespace loosefit::drape

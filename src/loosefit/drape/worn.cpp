@@ -28,21 +28,10 @@ constexpr double kForTheWaist = 0.9;  ///< of the chest's girth, what was not ma
 constexpr double kTouch = 0.010;      ///< [m]
 constexpr double kShoulder = 0.12;    ///< of stature, armhole to shoulder joint
 constexpr double kNeck = 0.88;        ///< of stature, above which no garment of a wearer begins
-constexpr double kHangs = 0.75;  ///< of the cloth from neck to hem, that at least hangs straight
+constexpr double kHangs = 0.7;   ///< of the cloth from neck to hem, that at least hangs straight
+constexpr double kLimb = 0.05;   ///< of stature, from shoulder or hip joint to armpit or crotch
 constexpr double kFolded = 0.5;  ///< of a tube's length, a fold that turns no tube over
 constexpr double kSleeve = 0.6;  ///< of the chest's girth, the widest tube for a limb
-
-const char* const kLimbNames[] = {"the head", "the left arm", "the right arm", "the left leg",
-                                  "the right leg"};
-
-std::string round_what(const LimbNumbers& n) {
-  if (n == kRoundTrunk) return "the trunk";
-  if (n == kRoundNothing) return "no part of the body";
-  std::string text;
-  for (int limb = 0; limb < kLimbs; ++limb)
-    if (n[limb] != 0) text += (text.empty() ? "" : " and ") + std::string(kLimbNames[limb]);
-  return text;
-}
 
 class Verdict {
  public:
@@ -273,14 +262,17 @@ class Verdict {
   void check_slid(const std::vector<const Opening*>& of) {
     const LimbLines at_rest = limb_lines(levels_.joints());
     for (int limb = kLeftArm; limb < kLimbs; ++limb) {
+      const Polyline rest(at_rest[limb]);
       double made = HUGE_VAL, worn = HUGE_VAL;  // ways along the limb [m]
       for (const Opening* o : of) {
         if (o->use != kinds::OpeningUse::limb || o->round != round_limb(Limb(limb))) continue;
-        made = std::min(made, Polyline(at_rest[limb]).project(o->placed));
+        made = std::min(made, rest.project(o->placed));
         worn = std::min(worn, Polyline(lines_[limb]).project(middle_of(o->loop)));
       }
+      // On a shorter wearer it is placed above where the limb begins.
+      made = std::max(made, rest.project(at_rest[limb][1]) + kLimb * levels_.height);
       if (worn - made > kSlip * way_)
-        say(fmt::format("what goes round {} has slid down it by {:.2f} m", kLimbNames[limb],
+        say(fmt::format("what goes round {} has slid down it by {:.2f} m", limb_name(Limb(limb)),
                         worn - made));
     }
   }

@@ -39,7 +39,7 @@ std::vector<std::string> why_not_worn(const garment::Garment& garment,
                                       const body::PosedBody& body, bool over_others = false);
 
 /// Waists of a worn garment that lie above the wearer's waist by more than half the way from waist
-/// to crotch, and hems of tops that hang less than three quarters as far from the neck as the cloth
+/// to crotch, and hems of tops that hang less than seven tenths as far from the neck as the cloth
 /// between them is long (drape/hem_hang.h), as sentences: a skirt that is too narrow for the hips
 /// is worn below the bust, a shirt is gathered above them.
 std::vector<std::string> risen_edges(const garment::Garment& garment,

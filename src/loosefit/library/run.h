@@ -18,7 +18,7 @@ struct RunSettings {
 /// same bits as one after another. A drape that does not settle is no error: Outcome::verdict says
 /// why. `progress` hears of it and can stop it. \throws InvalidInput, GeometryError for a scenario
 /// that cannot be used; IoError for files and data that are missing, saying where they were looked
-/// for; SolverFailure; Cancelled.
+/// for; SolverFailure; std::bad_alloc; Cancelled.
 Outcome run(const std::filesystem::path& scenario, const RunSettings& settings, Progress& progress);
 Outcome run(const std::filesystem::path& scenario, const RunSettings& settings = {});
 

@@ -1,5 +1,6 @@
 #include "loosefit/maps/girth.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "loosefit/base/error.h"
@@ -13,6 +14,7 @@ double GarmentGirth::hoop_strain() const {
 GarmentGirth torso_girth(const garment::Garment& garment, const std::vector<Vec3>& positions,
                          const WornGarment& worn, double level) {
   GarmentGirth girth{level};
+  if (std::ranges::count(worn.panel_part, body::BodyPart::trunk_and_arms) > 0) return girth;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     if (worn.panel_part[garment.triangle_panel[t]] != body::BodyPart::trunk) continue;
     // A corner exactly on the plane counts as above: every triangle is cut in two edges or none.

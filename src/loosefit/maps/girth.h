@@ -16,7 +16,8 @@ struct GarmentGirth {
   double hoop_strain() const;
 };
 
-/// Cuts the panels that belong to the trunk at height `level`.
+/// Cuts the panels that belong to the trunk at height `level`. No cut of garments with panels that
+/// cover trunk and arms in one: their sleeves would be cut with it.
 GarmentGirth torso_girth(const garment::Garment& garment, const std::vector<Vec3>& positions,
                          const WornGarment& worn, double level);
 

@@ -205,7 +205,7 @@ std::optional<SectionGap> trunk_section(const garment::Garment& garment,
   geometry::TriangleMesh cloth;
   cloth.vertices = positions;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    if (worn.panel_part[garment.triangle_panel[t]] == body::BodyPart::trunk)
+    if (body::covers_trunk(worn.panel_part[garment.triangle_panel[t]]))
       cloth.triangles.push_back(garment.triangles[t]);
   const Vec3 origin(0, 0, level), up = Vec3::UnitZ();
   const auto skins = body::plane_section(body.surface, origin, up);

@@ -52,21 +52,14 @@ std::vector<TriangleStrain> triangle_strains(const garment::Garment& garment,
 std::vector<double> to_vertices(const garment::Garment& garment,
                                 const std::vector<double>& per_triangle) {
   std::vector<double> sum(garment.vertex_count, 0.0), weight(garment.vertex_count, 0.0);
-  const auto add = [&](int v, std::size_t t) {
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    if (std::isnan(per_triangle[t])) continue;
     const double area = geometry::flat_area(garment.triangle_uv[t]);
-    sum[v] += area * per_triangle[t];
-    weight[v] += area;
-  };
-  std::vector<char> has_own(garment.vertex_count, 0);
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    for (int v : garment.triangles[t])
-      if (!std::isnan(per_triangle[t]) && garment.triangle_panel[t] == garment.vertex_panel[v]) {
-        add(v, t);
-        has_own[v] = 1;
-      }
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
-    for (int v : garment.triangles[t])
-      if (!std::isnan(per_triangle[t]) && !has_own[v]) add(v, t);
+    for (int v : garment.triangles[t]) {
+      sum[v] += area * per_triangle[t];
+      weight[v] += area;
+    }
+  }
   for (int v = 0; v < garment.vertex_count; ++v) sum[v] = weight[v] > 0 ? sum[v] / weight[v] : kNan;
   return sum;
 }

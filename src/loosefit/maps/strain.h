@@ -39,9 +39,8 @@ inline constexpr double kSlackStrain = -0.005;
 /// 1 for slack cloth, 0 for other; NaN without flat area.
 double slack_of(const TriangleStrain& strain);
 
-/// Mean of a triangle quantity at each vertex, weighted by flat triangle area, over the triangles
-/// of the vertex's own panel: warp and weft of two panels at a seam are not the same. Of all
-/// triangles where those have no value; NaN where none that touches the vertex has.
+/// Mean of a triangle quantity at each vertex, weighted by flat triangle area; NaN where no
+/// triangle with a value touches the vertex.
 std::vector<double> to_vertices(const garment::Garment& garment,
                                 const std::vector<double>& per_triangle);
 

@@ -183,7 +183,7 @@ std::vector<std::string> comfort_warnings(const maps::PressureField& field,
                   1e-3 * limit, 1e-3 * largest, 1e4 * area, body::name(most->first), most->second)};
 }
 
-std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
+std::vector<std::string> beyond_range_warnings(const maps::StrainRange& range,
                                                const scenario::MaterialCard& card) {
   std::vector<std::string> beyond;
   const auto look = [&](const char* name, const maps::DirectionRange& d, double unit,
@@ -197,6 +197,19 @@ std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
   look("warp", range.warp, 100, " %");
   look("weft", range.weft, 100, " %");
   look("shear", range.shear, degrees(1.0), "°");
+  if (beyond.empty()) return {};
+  return {"strained beyond the range in which the constants of " + printable(card.material.name) +
+          " hold: " + join(beyond)};
+}
+
+double largest_unstated(const maps::StrainRange& range) {
+  double largest = 0;
+  for (const maps::DirectionRange* d : {&range.warp, &range.weft})
+    if (!d->is_stated()) largest = std::max(largest, d->largest);
+  return largest;
+}
+
+std::vector<std::string> unstated_strain_warnings(const maps::StrainRange& range) {
   std::vector<std::string> lines;
   for (const auto& [name, d] : {std::pair{"warp", &range.warp}, {"weft", &range.weft}})
     if (!d->is_stated() && d->largest > kUnjudgedStrain)
@@ -204,9 +217,13 @@ std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
           "strained along the {0} by up to {1:.0f} %, and no range is stated for it "
           "(valid_strain_{0}): whether the constants hold there, or it would tear, is not judged",
           name, 100 * d->largest));
-  if (!beyond.empty())
-    lines.push_back("strained beyond the range in which the constants of " +
-                    printable(card.material.name) + " hold: " + join(beyond));
+  return lines;
+}
+
+std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
+                                               const scenario::MaterialCard& card) {
+  std::vector<std::string> lines = unstated_strain_warnings(range);
+  for (std::string& line : beyond_range_warnings(range, card)) lines.push_back(std::move(line));
   return lines;
 }
 

@@ -57,7 +57,18 @@ std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
                                        const std::optional<maps::BodyLoad>& load,
                                        const fabric::Material& material = {});
 
-/// In words: cloth that is strained beyond what its constants were measured over.
+/// In words: cloth that is strained beyond what its constants were measured over; one line at most.
+std::vector<std::string> beyond_range_warnings(const maps::StrainRange& range,
+                                               const scenario::MaterialCard& card);
+
+/// Largest elongation along warp or weft of which no range is stated [–]; 0 where both are.
+double largest_unstated(const maps::StrainRange& range);
+
+/// In words: warp and weft of which no range is stated, where they are strained so far that it
+/// would matter.
+std::vector<std::string> unstated_strain_warnings(const maps::StrainRange& range);
+
+/// Both.
 std::vector<std::string> strain_range_warnings(const maps::StrainRange& range,
                                                const scenario::MaterialCard& card);
 

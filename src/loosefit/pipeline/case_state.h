@@ -54,4 +54,7 @@ struct CaseState {
   bool counts() const { return left_out.empty() && certificate().holds(); }
 };
 
+/// "sitting", and with several donnings "sitting of donning 2".
+std::string state_label(const CaseState& state, std::size_t donnings);
+
 }  // namespace loosefit::pipeline

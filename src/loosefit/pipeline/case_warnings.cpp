@@ -61,6 +61,10 @@ std::string under(std::size_t garment, const CaseResult& result) {
   return garment + 1 < result.garments.size() ? fmt::format("under {}: ", garment + 1) : "";
 }
 
+std::string label_of(const CaseState& state, const CaseResult& result) {
+  return state_label(state, result.wear.donnings.size());
+}
+
 /// What is to be said of one drape, by what it is about.
 using Told = std::map<std::string, Lines>;
 
@@ -112,7 +116,8 @@ Lines ways_of_wearing(const CaseResult& result, std::size_t g) {
   for (const CaseState& state : result.wear.states)
     if (state.counts())
       in_states.emplace_back(
-          state.name, way_of_wearing(garment, state.drapes[g], result.body_in(state.id.posture)));
+          label_of(state, result),
+          way_of_wearing(garment, state.drapes[g], result.body_in(state.id.posture)));
   return told_once(way_of_wearing(garment, garment.drape, result.body.body), in_states);
 }
 
@@ -126,30 +131,39 @@ Lines comfort_of(const CaseResult& result, std::size_t g) {
     for (const CaseState& state : result.wear.states)
       if (state.counts())
         in_states.emplace_back(
-            state.name, told(comfort_warnings(state.maps.pressure, state.maps.worn.regions)));
+            label_of(state, result),
+            told(comfort_warnings(state.maps.pressure, state.maps.worn.regions)));
   return told_once(here, in_states);
 }
 
 /// Cloth that is strained beyond the range of its card; also the state of which most is, where that
-/// is more than of twice the area of the reference state.
+/// is more than of twice the area of the reference state, and where no range is stated the one that
+/// is strained most, where it is told of that alone.
 Lines strain_of(const CaseResult& result, std::size_t g) {
   const CaseGarment& garment = result.garments[g];
   const scenario::MaterialCard& card = result.scenario.garments[g].material;
-  Lines all = strain_range_warnings(garment.maps.strain_range, card);
-  maps::StrainRange most = garment.maps.strain_range;
-  most.share_beyond *= 2;
-  std::string where;
+  const maps::StrainRange& here = garment.maps.strain_range;
+  Lines all = strain_range_warnings(here, card);
+  const Lines unstated_here = unstated_strain_warnings(here);
+  double beyond = 2 * here.share_beyond, largest = 0;
+  std::string where_beyond, where_unstated;
+  maps::StrainRange most, unstated;
   for (const CaseState& state : result.wear.states) {
     if (!state.counts()) continue;
     const maps::StrainRange range =
         maps::strain_range(garment.mesh(), state.drapes[g].positions, card.material);
-    if (range.share_beyond <= most.share_beyond) continue;
-    most = range;
-    where = state.name;
+    if (range.share_beyond > beyond)
+      most = range, beyond = range.share_beyond, where_beyond = label_of(state, result);
+    if (const double strain = largest_unstated(range); strain > largest)
+      unstated = range, largest = strain, where_unstated = label_of(state, result);
   }
-  if (!where.empty())
-    for (const std::string& line : strain_range_warnings(most, card))
+  const auto add_in = [&all](const Lines& lines, const std::string& where) {
+    for (const std::string& line : lines)
       all.push_back(line + " (in " + where + ", the most of all states)");
+  };
+  if (!where_beyond.empty()) add_in(beyond_range_warnings(most, card), where_beyond);
+  if (unstated_here.empty() && !where_unstated.empty())
+    add_in(unstated_strain_warnings(unstated), where_unstated);
   return all;
 }
 
@@ -187,7 +201,8 @@ Lines doubts_of_settling(const CaseResult& result) {
   std::vector<std::pair<std::string, Told>> in_states;
   for (const CaseState& state : result.wear.states)
     if (state.counts())
-      in_states.emplace_back(state.name, doubts_of_settling(state.drape(), thickness, triangles));
+      in_states.emplace_back(label_of(state, result),
+                             doubts_of_settling(state.drape(), thickness, triangles));
   return told_once(doubts_of_settling(result.studied().drape, thickness, triangles), in_states);
 }
 
@@ -250,9 +265,7 @@ std::vector<std::string> state_warnings(const CaseResult& result) {
         "postures: none taken and nothing put on again: the first drape is not settled and worn");
   for (const CaseState& s : wear.states) {
     if (s.counts()) continue;
-    const std::string where = wear.donnings.size() > 1
-                                  ? fmt::format("{} of donning {}", s.name, s.id.donning + 1)
-                                  : s.name;
+    const std::string where = label_of(s, result);
     const drape::Certificate c = s.certificate();
     all.push_back(fmt::format("postures: {} is left out of all statistics: {}", where,
                               s.left_out.empty() ? fmt::format("not settled ({}), residual {:.2e}",

@@ -35,8 +35,7 @@ struct Start {
     return {.id = id, .name = wear.postures[id.posture]};
   }
   std::string shown_name(const CaseState& state) const {
-    if (wear.donnings.size() < 2) return state.name;
-    return fmt::format("{} ({})", state.name, state.id.donning + 1);
+    return state_label(state, wear.donnings.size());
   }
 };
 

@@ -110,7 +110,7 @@ void take_recalled(RecalledState recalled, CaseState& state) {
     return;
   }
   drape::Drape& drape = state.drapes.back();
-  drape.report.parts = std::move(recalled.parts);
+  drape.report = std::move(recalled.report);
   if (!drape.certificate.settled()) drape.unsettled = std::move(recalled.unsettled);
 }
 

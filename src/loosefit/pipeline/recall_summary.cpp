@@ -198,8 +198,13 @@ RecalledState state_in(const Json& summary, const std::string& place) {
   if (!summary.contains(pointer) || !summary[pointer].is_object()) return {};
   const Json& state = summary[pointer];
   const bool had_none = state.contains("worn") && state["worn"].is_null();
-  return {at<double>(state, "/seconds"), parts_at(state, "/parts"),
-          unsettled_at(state, "/unsettled"), had_none ? text_at(state, "stop_reason") : ""};
+  drape::SettleReport report;
+  report.parts = parts_at(state, "/parts");
+  report.held_off_triangles = at<int>(state, "/held_off_triangles");
+  report.largest_contact_offset = 1e-3 * at<double>(state, "/largest_contact_offset_mm");
+  report.coarsened_field = 1e-3 * at<double>(state, "/coarsened_field_mm");
+  return {at<double>(state, "/seconds"), std::move(report), unsettled_at(state, "/unsettled"),
+          had_none ? text_at(state, "stop_reason") : ""};
 }
 
 }  // namespace

@@ -15,18 +15,18 @@ inline constexpr char kMakeAgain[] = "make the drape again: loosefit run scenari
 /// What only its draping could tell of a state.
 struct RecalledState {
   double seconds = 0;
-  std::vector<drape::PartWork> parts;
+  drape::SettleReport report;  ///< parts, and what makes contact less exact
   std::optional<drape::Unsettled> unsettled;
   std::string left_out;  ///< why the run itself had no drape of it; else empty
 };
 
 /// What only the drapes of a run could tell.
 struct RecalledSummary {
-  std::vector<StageClock::Entry> seconds;     ///< of draping
-  drape::SettleReport report;                 ///< counters; without history
+  std::vector<StageClock::Entry> seconds;          ///< of draping
+  drape::SettleReport report;                      ///< counters; without history
   std::map<std::string, std::string> draped_from;  ///< as of draped_from.h; empty: not kept
-  std::vector<CaseMovement> movements;        ///< that were made once the garments were on
-  std::optional<drape::Unsettled> unsettled;  ///< why the drape is not
+  std::vector<CaseMovement> movements;             ///< that were made once the garments were on
+  std::optional<drape::Unsettled> unsettled;       ///< why the drape is not
   std::vector<std::string> dressing_warnings;
   CaseRepeats repeats;
   std::vector<RecalledState> states;  ///< as CaseWear::states

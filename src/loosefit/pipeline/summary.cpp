@@ -336,7 +336,10 @@ void add_wear(const CaseWear& wear, Json& json) {
         {"intersections", {{"body", c.intersections_body}, {"self", c.intersections_self}}},
         {"stop_reason", s.left_out.empty() ? c.stop_reason : s.left_out},
         {"seconds", s.seconds},
-        {"iterations", report.total().iterations}};
+        {"iterations", report.total().iterations},
+        {"held_off_triangles", report.held_off_triangles},
+        {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset},
+        {"coarsened_field_mm", 1e3 * report.coarsened_field}};
     add_grade(c, entry);
     if (s.draped() && s.drape().unsettled)
       entry["unsettled"] = unsettled_json(*s.drape().unsettled);

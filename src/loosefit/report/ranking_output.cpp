@@ -292,10 +292,11 @@ std::string ranking_csv(const placement::RankingTable& table) {
 }
 
 std::string ranking_json(const placement::RankingTable& table) {
-  Json json = {{"modality", table.scorecard.name},     {"title", table.scorecard.title},
-               {"about", table.scorecard.about},       {"pass", table.scorecard.pass},
-               {"samples", table.ranking.samples},     {"sample_names", table.sample_names},
-               {"left_out", table.scorecard.left_out}, {"notes", ranking_notes(table)}};
+  Json json = {{"modality", table.scorecard.name},   {"title", table.scorecard.title},
+               {"about", table.scorecard.about},     {"pass", table.scorecard.pass},
+               {"samples", table.ranking.samples},   {"draws_of", table.ranking.draws_of},
+               {"sample_names", table.sample_names}, {"left_out", table.scorecard.left_out},
+               {"notes", ranking_notes(table)}};
   json["verdict"] = ranking_verdict(table);
   json["uncovered"] = Json::array();
   for (const placement::UncoveredSite& site : table.uncovered)

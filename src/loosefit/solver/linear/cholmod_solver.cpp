@@ -47,8 +47,9 @@ struct CholmodSolver::Work {
 
   void free_factor() { cholmod_free_factor(&factor, &common); }
   void check_memory() const {
-    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-      throw std::bad_alloc();
+    if (common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (common.status == CHOLMOD_TOO_LARGE)
+      throw SolverFailure("the matrix of the Newton step is too large: use longer edges");
   }
 
   void analyse(const particles::BlockMatrix& a);

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <new>
 
+#include "loosefit/base/error.h"
 #include "loosefit/solver/linear/linear_tuning.h"
 
 namespace loosefit::solver {
@@ -39,7 +40,8 @@ std::vector<int> fill_reducing_order(const std::vector<int>& column_start,
   std::copy(rows.begin(), rows.end(), static_cast<int*>(graph->i));
   cholmod_factor* symbolic = cholmod_analyze(graph, &common.c);
   cholmod_free_sparse(&graph, &common.c);
-  if (!symbolic) throw std::bad_alloc();
+  if (!symbolic && common.c.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (!symbolic) throw SolverFailure("CHOLMOD cannot order the matrix of the Newton step");
   const int* perm = static_cast<const int*>(symbolic->Perm);
   std::vector<int> order(perm, perm + n);
   cholmod_free_factor(&symbolic, &common.c);

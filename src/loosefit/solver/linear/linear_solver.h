@@ -15,7 +15,7 @@ class LinearSolver {
 
   /// Factorises A + diag(shift), rows and columns of held particles replaced by identity. shift has
   /// one entry per particle [N/m]; held may be empty. False when the matrix is not positive
-  /// definite; the factor is then lost. \throws SolverFailure when memory runs out.
+  /// definite; the factor is then lost. \throws std::bad_alloc when memory runs out, SolverFailure.
   virtual bool factorise(const particles::BlockMatrix& a, const std::vector<double>& shift,
                          const std::vector<char>& held) = 0;
   /// Solves with the last successful factorisation. \pre factorise returned true
