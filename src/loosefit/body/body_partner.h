@@ -35,8 +35,8 @@ class PartnerFinder {
   /// Keeps references to both; `surface`: of the body's surface. \throws InvalidInput for a body
   /// without a segment, side or normal for every vertex.
   PartnerFinder(const Body& body, const geometry::ClosestPointTree& surface);
-  /// The part of a panel: that which most of its `points` lie nearest to; both legs where a fifth
-  /// of them or more lies nearest to the other leg, trunk and arms where a tenth or more lies
+  /// The part of a panel: that which most of its `points` lie nearest to; both legs where more than
+  /// a fifth of them lies nearest to the other leg, trunk and arms where more than a tenth lies
   /// nearest to a forearm or hand that faces the way of their unit `normals`, round which the cloth
   /// goes and not beside it.
   BodyPart part_of(const std::vector<Vec3>& points, const std::vector<Vec3>& normals) const;

@@ -54,7 +54,8 @@ class Verdict {
     placed_ = placed_by_pattern(garment_, pattern_);
     openings_ = garment_openings(garment_, pattern_);
     std::vector<Opening>& openings = openings_;
-    tell_tubes(openings, placed_, limb_lines(levels_.joints()), kForTheWaist * chest_girth_);
+    at_rest_ = limb_lines(levels_.joints());
+    tell_tubes(openings, placed_, at_rest_, kForTheWaist * chest_girth_);
     std::map<int, std::vector<const Opening*>> of_piece;
     for (const Opening& opening : openings) {
       check(opening);
@@ -260,17 +261,17 @@ class Verdict {
   /// The end of a stocking or a sleeve alone that is nearer to the trunk has not slid down its
   /// limb.
   void check_slid(const std::vector<const Opening*>& of) {
-    const LimbLines at_rest = limb_lines(levels_.joints());
     for (int limb = kLeftArm; limb < kLimbs; ++limb) {
-      const Polyline rest(at_rest[limb]);
+      const Polyline rest(at_rest_[limb]);
       double made = HUGE_VAL, worn = HUGE_VAL;  // ways along the limb [m]
       for (const Opening* o : of) {
         if (o->use != kinds::OpeningUse::limb || o->round != round_limb(Limb(limb))) continue;
         made = std::min(made, rest.project(o->placed));
         worn = std::min(worn, Polyline(lines_[limb]).project(middle_of(o->loop)));
       }
+      if (!std::isfinite(made)) continue;
       // On a shorter wearer it is placed above where the limb begins.
-      made = std::max(made, rest.project(at_rest[limb][1]) + kLimb * levels_.height);
+      made = std::max(made, rest.project(at_rest_[limb][1]) + kLimb * levels_.height);
       if (worn - made > kSlip * way_)
         say(fmt::format("what goes round {} has slid down it by {:.2f} m", limb_name(Limb(limb)),
                         worn - made));
@@ -455,7 +456,7 @@ class Verdict {
   const body::PosedBody& body_;
   std::vector<Vec3> placed_;  ///< by the pattern
   std::vector<Opening> openings_;
-  LimbLines lines_;
+  LimbLines lines_, at_rest_;  ///< of the wearer, and standing upright
   RestLevels levels_;
   double way_;  ///< from waist down to crotch [m]
   double chest_girth_ = 0;
