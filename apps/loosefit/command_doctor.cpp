@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <thread>
 
 #include "exit_code.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
+#include "loosefit/base/resources.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/body/body_data.h"
@@ -33,7 +33,7 @@ report::Finding examine_one(const std::string& what, const std::function<std::st
 void print_words(const std::vector<report::Finding>& findings) {
   for (const auto& [library, number] : versions())
     fmt::print("version  {:12} {}\n", library, number);
-  fmt::print("version  {:12} {}\n", "cores", std::thread::hardware_concurrency());
+  fmt::print("version  {:12} {}\n", "cores", usable_threads());
   for (const report::Finding& f : findings) {
     fmt::print("{:8} {:12} {}\n", f.ok ? "ok" : "missing", f.what, terminal_line(f.found));
     if (!f.hint.empty()) fmt::print("         {:12} {}\n", "", terminal_line(f.hint));

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "exit_code.h"
+#include "loosefit/base/resources.h"
 #include "loosefit/base/text.h"
 #include "loosefit/validate/run_validation.h"
 #include "loosefit/validate/validation_json.h"
@@ -48,7 +48,7 @@ int run_validate(const Arguments& arguments) {
   if (!arguments.output.empty()) output.emplace(arguments.output);
   shown.stage("validate");
   // Memory and sense both end at a handful; machines with one core get one.
-  const int workers = std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 8);
+  const int workers = std::clamp(usable_threads(), 1, 8);
   const validate::Validation validation = validate::run_validation(
       chosen, effort, shown, workers, [&](const validate::BenchmarkOutcome& outcome) {
         shown.clear();

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <new>
 
@@ -26,6 +27,7 @@
 #include "interrupted.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
+#include "loosefit/base/resources.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
 #include "loosefit/report/error_document.h"
@@ -106,6 +108,24 @@ int run_command_line(int count, char** arguments, bool asked_for_json) {
   return exit_code;
 }
 
+constexpr char kNoMemory[] = "not enough memory";
+constexpr char kLessMemory[] = "a larger simulation.edge_length needs less";
+
+/// An exception that nobody can catch, as one that leaves a destructor, ends the process. Of our
+/// libraries only want of memory comes so far. Words and code are those of any other place.
+[[noreturn]] void end_in_words() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    failed(kBadInput, kNoMemory, kLessMemory);
+    _exit(kBadInput);
+  } catch (const std::exception& error) {
+    failed(kBadInput, std::string("unexpected: ") + error.what());
+  } catch (...) {
+  }
+  std::abort();
+}
+
 /// The end of every command: what it printed has arrived, or it has failed.
 int with_output_written(int exit_code) {
   errno = 0;
@@ -128,7 +148,7 @@ int run_guarded(int count, char** arguments) {
   } catch (const Error& e) {
     return failed(kBadInput, e, e.hint(), json);
   } catch (const std::bad_alloc&) {
-    const Error error("not enough memory", "a larger simulation.edge_length needs less");
+    const Error error(kNoMemory, kLessMemory);
     return failed(kBadInput, error, error.hint(), json);
   } catch (const std::exception& e) {
     if (std::ferror(stdout)) return kBadInput;  // fmt throws then; with_output_written tells
@@ -146,5 +166,11 @@ int main(int count, char** arguments) {
   hold_standard_streams();
   meet_limits_as_errors();
   tell_installation();
-  return with_output_written(run_guarded(count, arguments));
+  std::set_terminate(end_in_words);
+  const ThreadLimit cores(0);
+  const int exit_code = with_output_written(run_guarded(count, arguments));
+  // Not through what libraries do at the end: it waits for threads of a shared BLAS, which ask for
+  // memory for ever where there is none.
+  std::fflush(nullptr);
+  _exit(exit_code);
 }

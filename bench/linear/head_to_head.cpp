@@ -15,7 +15,6 @@
 #include "loosefit/solver/integrator.h"
 #include "loosefit/solver/linear/cholmod_solver.h"
 #include "loosefit/solver/linear/newton_system.h"
-#include "loosefit/solver/pin_blas.h"
 #include "loosefit/solver/quasi_static.h"
 #include "loosefit/solver/tangent_matrix.h"
 
@@ -148,7 +147,6 @@ int run(int argc, char** argv) {
 }  // namespace loosefit
 
 int main(int argc, char** argv) try {
-  loosefit::solver::pin_blas(argv);
   return loosefit::run(argc, argv);
 } catch (const std::exception& error) {
   fmt::print(stderr, "error: {}\n", error.what());

@@ -17,7 +17,6 @@
 #include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/mesh_file.h"
 #include "loosefit/io/mesh_obj.h"
-#include "loosefit/solver/pin_blas.h"
 
 namespace loosefit {
 namespace {
@@ -146,7 +145,6 @@ int run(int argc, char** argv) {
 }  // namespace loosefit
 
 int main(int argc, char** argv) {
-  loosefit::solver::pin_blas(argv);
   try {
     return loosefit::run(argc, argv);
   } catch (const std::exception& error) {

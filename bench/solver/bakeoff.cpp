@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
-#include "loosefit/solver/pin_blas.h"
 #include "outer_loop.h"
 #include "problem.h"
 
@@ -98,7 +97,6 @@ int run(int argc, char** argv) {
 }  // namespace loosefit::bakeoff
 
 int main(int argc, char** argv) {
-  loosefit::solver::pin_blas(argv);
   try {
     return loosefit::bakeoff::run(argc, argv);
   } catch (const std::exception& error) {

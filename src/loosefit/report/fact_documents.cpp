@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <thread>
 
+#include "loosefit/base/resources.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/material_origin.h"
@@ -167,7 +167,7 @@ std::string doctor_document(const std::vector<Finding>& findings, bool can_run) 
                       {"found", f.found},
                       {"hint", f.hint.empty() ? Json(nullptr) : Json(f.hint)}});
   return text_of({{"can_run", can_run},
-                  {"cores", std::thread::hardware_concurrency()},
+                  {"cores", usable_threads()},
                   {"checks", checks},
                   {"versions", versions()}});
 }

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <mutex>
+#include <string>
 
 extern "C" {
 // Of OpenBLAS built for several processors: forget the kernels chosen when it was loaded, and
@@ -9,6 +10,8 @@ extern "C" {
 void gotoblas_dynamic_quit() __attribute__((weak));
 void gotoblas_dynamic_init() __attribute__((weak));
 void openblas_set_num_threads(int count) __attribute__((weak));
+/// What OpenBLAS does when it is loaded; only once.
+void gotoblas_init() __attribute__((weak));
 }
 
 namespace loosefit::solver::dense {
@@ -27,6 +30,18 @@ const char* fastest_kernels() {
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
 #endif
   return nullptr;
+}
+
+/// OpenBLAS starts its threads when it is loaded, and each maps work memory, again and again where
+/// there is none. Our own copy starts here, before it would by itself, and is told of one thread.
+[[gnu::constructor(101)]] void start_without_threads() {
+  constexpr char kThreads[] = "OPENBLAS_NUM_THREADS";
+  if (!gotoblas_init) return;
+  const char* const found = std::getenv(kThreads);
+  const std::string before = found ? found : "";
+  if (setenv(kThreads, "1", 1) != 0) return;
+  gotoblas_init();
+  found ? setenv(kThreads, before.c_str(), 1) : unsetenv(kThreads);
 }
 
 }  // namespace
