@@ -3,12 +3,20 @@
 
 usage: robustness.py [--count N] [--seed SEED] [--cases 17,45,60-69] [--json FILE] [--record NOTE]
                      [--binary FILE] [--budget SECONDS] [-j N] [--out DIR] [--list]
+       robustness.py --from-schema FILE.csv [--count N] [--seed SEED] [--cases …] [--edge METRES] [--budget SECONDS]
+                     [--limit SECONDS] [--strangest N] [-j N] [--out DIR] [--binary FILE]
 
 Body, fit, fabric, posture, start and mesh of case k follow from the seed and k alone
 (robustness_draw.py). A draw for which there is no such body or no such shirt is drawn again and
 counted as redrawn. Each case is a process of its own (`loosefit drape`), one at a time unless -j. With
 --json the record is written after every case, and cases it holds already are not run again unless
 --cases names them. Exit code 1 when a case did not settle.
+
+With --from-schema cases are scenarios of any kind, drawn from `loosefit schema` (schema_draw.py), each with a hard
+time limit; FILE.csv gets a row a case and is resumed. What is asked is that every one ends in words
+(schema_cases.py): exit code 1 when one crashed, hung or left something behind. --strangest N draws pictures of the
+certified drapes whose figures are farthest from the others, for a person to look at. A thousand of them:
+robustness.py --from-schema rows.csv --count 1000 --seed 61 --out out/schema --strangest 20
 """
 import argparse
 import concurrent.futures
@@ -22,6 +30,7 @@ import tempfile
 
 import records
 import robustness_draw
+import schema_cases
 from run_bench import ROOT, git, machine, run_process, status
 
 ATTEMPTS = 20
@@ -127,7 +136,14 @@ def parse():
     parser.add_argument("-j", type=int, default=1, dest="jobs", help="cases at a time")
     parser.add_argument("--out", help="keep the outputs in this folder")
     parser.add_argument("--list", action="store_true", help="the draws, nothing is run")
+    parser.add_argument("--from-schema", metavar="FILE.csv", dest="rows", type=pathlib.Path,
+                        help="cases drawn from the schema of scenarios; rows are added to this file")
+    parser.add_argument("--edge", type=float, default=0.04, help="of meshes with --from-schema, metres")
+    parser.add_argument("--limit", type=float, default=60, help="wall seconds of a case with --from-schema")
+    parser.add_argument("--strangest", type=int, default=0, metavar="N", help="pictures with --from-schema")
     options = parser.parse_args()
+    if options.rows:
+        options.budget = min(options.budget, options.limit / 3)
     if options.count < 1 or options.jobs < 1 or options.budget < 0.1:
         parser.error("--count and -j: at least 1; --budget: at least 0.1")
     if not options.list and not pathlib.Path(options.binary).is_file():
@@ -137,6 +153,15 @@ def parse():
 
 def main():
     options = parse()
+    if options.rows:
+        commit = git("rev-parse", "--short", "HEAD") + ("+" if git("status", "--porcelain", "-uno") else "")
+        with tempfile.TemporaryDirectory() as scratch:
+            out = pathlib.Path(options.out or scratch).resolve()
+            out.mkdir(parents=True, exist_ok=True)
+            bad = schema_cases.study(options, out, commit)
+        for row in bad:
+            print(f"BAD {row['case']}: {row['end']}: {row['words']}")
+        return 1 if bad else 0
     wanted = options.cases or list(range(1, options.count + 1))
     if options.list:
         for number in wanted:

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -13,6 +15,7 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
 #include "loosefit/flesh/soft_body.h"
+#include "loosefit/io/scenario_body.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/report/fact_documents.h"
 #include "loosefit/report/write_body.h"
@@ -22,56 +25,111 @@
 namespace loosefit {
 namespace {
 
+using Numbers = std::map<std::string, std::optional<double>>;
+
+/// By the keys of [body] of a scenario, which say what is allowed.
 struct Wish {
-  std::string sex = "female";
-  body::BodySpec spec;
-  std::map<std::string, std::optional<double>> measures;
-  std::optional<std::string> posture;
-  std::optional<double> arm_abduction_deg, forward_bend_deg, sitting, arm_flexion_deg,
-      elbow_extension, slouch, relaxed_arms;
+  std::optional<std::string> sex, posture;
+  Numbers shape, measures, angles;
   std::string file, units, up;
   std::string out;
   bool json = false;
 };
 
-double sex_of(const std::string& text) {
-  if (text == "female") return 0;
-  if (text == "male") return 1;
-  std::size_t used = 0;
-  double value = -1;
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  if (used != text.size() || !(value >= 0 && value <= 1)) {
-    throw InvalidInput({"", 0, "--sex"}, "\"" + printable(text) + "\"",
-                       "female, male or a number from 0 to 1");
-  }
-  return value;
+io::ConfigNode text_node(const std::string& text) {
+  io::ConfigNode node;
+  node.kind = io::ConfigNode::Kind::text;
+  node.text = text;
+  return node;
 }
 
-bool asks_for_a_posture(const Wish& wish) {
-  return wish.posture || wish.arm_abduction_deg || wish.forward_bend_deg || wish.sitting ||
-         wish.arm_flexion_deg || wish.elbow_extension || wish.slouch || wish.relaxed_arms;
+io::ConfigNode number_node(double value) {
+  io::ConfigNode node;
+  node.kind = io::ConfigNode::Kind::number;
+  node.number = value;
+  return node;
 }
 
-body::Posture posture_of(const Wish& wish) {
-  body::Posture posture;
+io::ConfigNode sex_node(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  return number ? number_node(value) : text_node(text);
+}
+
+void add(const Numbers& given, io::ConfigNode& table) {
+  for (const auto& [key, value] : given)
+    if (value) table.members.emplace_back(key, number_node(*value));
+}
+
+bool any_of(const Numbers& given) {
+  return std::ranges::any_of(given, [](const auto& one) { return one.second.has_value(); });
+}
+
+std::string option_of(const std::string& key) {
+  std::string option = "--" + key.substr(key.rfind('.') + 1);
+  std::ranges::replace(option, '_', '-');
+  return option;
+}
+
+/// What a scenario with these values in [body] asks for. \throws InvalidInput naming the option.
+scenario::ScenarioBody read(const Wish& wish) {
+  io::ConfigNode table, measures, angles;
+  if (wish.sex) table.members.emplace_back("sex", sex_node(*wish.sex));
+  add(wish.shape, table);
+  add(wish.measures, measures);
+  table.members.emplace_back("measurements", measures);
+  add(wish.angles, angles);
+  // Angles change what the name says; both are checked.
+  std::vector<io::ConfigNode> postures;
+  if (wish.posture) postures.push_back(text_node(*wish.posture));
+  if (!angles.members.empty()) postures.push_back(angles);
+  if (postures.empty()) postures.push_back(text_node("standing"));
+  scenario::ScenarioBody body;
+  std::optional<body::Posture> named;
   try {
-    posture = body::named_posture(wish.posture.value_or("standing"));
+    for (const io::ConfigNode& posture : postures) {
+      io::ConfigNode whole = table;
+      whole.members.emplace_back("posture", posture);
+      body = io::read_body_section({whole, ""}, {});
+      if (!named) named = body.posture;
+    }
   } catch (const InvalidInput& error) {
-    throw InvalidInput({"", 0, "--posture"}, "\"" + printable(*wish.posture) + "\"",
-                       error.expected(), error.hint());
+    throw error.at({"", 0, option_of(error.place().key)});
   }
-  if (wish.arm_abduction_deg) posture.arm_abduction = radians(*wish.arm_abduction_deg);
-  if (wish.forward_bend_deg) posture.forward_bend = radians(*wish.forward_bend_deg);
-  if (wish.sitting) posture.sitting = *wish.sitting;
-  if (wish.arm_flexion_deg) posture.arm_flexion = radians(*wish.arm_flexion_deg);
-  if (wish.elbow_extension) posture.elbow_extension = *wish.elbow_extension;
-  if (wish.slouch) posture.slouch = *wish.slouch;
-  if (wish.relaxed_arms) posture.relaxed_arms = *wish.relaxed_arms;
-  return posture;
+  const body::Posture turned = body.posture;
+  body.posture = *named;
+  const auto turn = [&](const char* key, double body::Posture::*angle) {
+    if (wish.angles.at(key)) body.posture.*angle = turned.*angle;
+  };
+  turn("arm_abduction_deg", &body::Posture::arm_abduction);
+  turn("forward_bend_deg", &body::Posture::forward_bend);
+  turn("sitting", &body::Posture::sitting);
+  turn("arm_flexion_deg", &body::Posture::arm_flexion);
+  turn("elbow_extension", &body::Posture::elbow_extension);
+  turn("slouch", &body::Posture::slouch);
+  turn("relaxed_arms", &body::Posture::relaxed_arms);
+  return body;
+}
+
+/// A value that nobody gave is that of the model: of a scenario it is somebody's.
+body::BodySpec spec_of(const Wish& wish, const scenario::ScenarioBody& read) {
+  body::BodySpec spec{.sex = read.sex, .measurements = read.measurements, .muscle = read.muscle,
+                      .proportions = read.proportions, .cup = read.cup, .firmness = read.firmness};
+  if (wish.shape.at("age")) spec.age = read.age;
+  if (wish.shape.at("height")) spec.height = read.height;
+  return spec;
+}
+
+/// A scan brings its own size. \throws InvalidInput
+void refuse_beside_file(const Wish& wish) {
+  std::vector<std::string> given;
+  if (wish.sex) given.push_back("sex");
+  for (const Numbers* numbers : {&wish.shape, &wish.measures})
+    for (const auto& [key, value] : *numbers)
+      if (value) given.push_back(key);
+  if (!given.empty())
+    throw InvalidInput({"", 0, option_of(given.front())}, "a wish beside --file", "one of the two");
 }
 
 void print_words(const body::Body& body, const body::BodyFit& fit);
@@ -89,13 +147,10 @@ void run(Wish wish) {
   body::Body body;
   body::BodyFit fit;
   if (!wish.file.empty()) {
-    for (const auto& [name, asked] : wish.measures) {
-      if (asked) throw InvalidInput({"", 0, "--" + name}, "a wish beside --file", "one of the two");
-    }
-    scenario::ScenarioBody wished;
+    refuse_beside_file(wish);
+    scenario::ScenarioBody wished = read(wish);
     wished.file = wish.file, wished.units = wish.units, wished.up = wish.up;
-    wished.as_scanned = !asks_for_a_posture(wish);
-    wished.posture = posture_of(wish);
+    wished.as_scanned = !wish.posture && !any_of(wish.angles);
     wished.dress_posture = body::default_dress_posture(wished.posture);
     const pipeline::CaseBody made = pipeline::make_body(wished);
     body = made.body.body();
@@ -105,18 +160,10 @@ void run(Wish wish) {
     if (!wish.units.empty() || !wish.up.empty())
       throw InvalidInput({"", 0, wish.units.empty() ? "--up" : "--units"}, "it without --file",
                          "it only beside --file");
-    wish.spec.sex = sex_of(wish.sex);
-    for (const auto& [name, asked] : wish.measures) {
-      if (!asked) continue;
-      if (name == "height") {
-        wish.spec.height = *asked;
-      } else {
-        wish.spec.measurements[name] = *asked;
-      }
-    }
+    const scenario::ScenarioBody wished = read(wish);
     const body::BodyModel model = body::BodyModel::load();
-    fit = body::fit_body(model, wish.spec);
-    body = flesh::SoftBody(model, fit.parameters).in(posture_of(wish));
+    fit = body::fit_body(model, spec_of(wish, wished));
+    body = flesh::SoftBody(model, fit.parameters).in(wished.posture);
   }
   for (const auto& warning : fit.warnings)
     to_standard_error(fmt::format("warning: {}\n", terminal_line(warning)));
@@ -143,37 +190,30 @@ void print_words(const body::Body& body, const body::BodyFit& fit) {
              body.measured.at("mass"));
 }
 
-std::string option_of(const std::string& measure) {
-  std::string option = "--" + measure;
-  for (auto& c : option) c = c == '_' ? '-' : c;
-  return option;
-}
-
 }  // namespace
 
 void add_body_command(CLI::App& app) {
   auto* command = app.add_subcommand("body", "make a body from measures, or read one from a file");
   auto wish = std::make_shared<Wish>();
+  const auto number = [&](Numbers& numbers, const std::string& key, const std::string& about) {
+    command->add_option(option_of(key), numbers[key], about);
+  };
   command->add_option("--sex", wish->sex, "female, male or 0 (female) … 1 (male)");
-  command->add_option("--age", wish->spec.age, "years");
-  for (const auto& name : body::measure_names()) {
-    command->add_option(
-        option_of(name), wish->measures[name],
-        name == "height" ? "stature [m]; without it the model's own" : "wanted " + name + " [m]");
-  }
-  command->add_option("--muscle", wish->spec.muscle, "0 … 1");
-  command->add_option("--proportions", wish->spec.proportions, "0 … 1");
-  command->add_option("--cup", wish->spec.cup, "0 … 1");
-  command->add_option("--firmness", wish->spec.firmness, "0 … 1");
+  number(wish->shape, "age", "years");
+  number(wish->shape, "height", "stature [m]; without it the model's own");
+  for (const std::string& name : body::measure_names())
+    if (name != "height") number(wish->measures, name, "wanted " + name + " [m]");
+  for (const char* key : {"muscle", "proportions", "cup", "firmness"})
+    number(wish->shape, key, "0 … 1");
   command->add_option("--posture", wish->posture, join(body::posture_names()));
-  command->add_option("--arm-abduction-deg", wish->arm_abduction_deg, "upper arm to the vertical");
-  command->add_option("--forward-bend-deg", wish->forward_bend_deg, "turn of the back");
-  command->add_option("--sitting", wish->sitting, "0 standing … 1 sitting");
-  command->add_option("--arm-flexion-deg", wish->arm_flexion_deg, "arms raised forward");
-  command->add_option("--elbow-extension", wish->elbow_extension, "0 bent … 1 straight elbows");
-  command->add_option("--slouch", wish->slouch, "0 upright … 1 slumped");
-  command->add_option("--relaxed-arms", wish->relaxed_arms,
-                      "0 arms as the model has them … 1 hanging, palms to the thighs");
+  number(wish->angles, "arm_abduction_deg", "upper arm to the vertical");
+  number(wish->angles, "forward_bend_deg", "turn of the back");
+  number(wish->angles, "sitting", "0 standing … 1 sitting");
+  number(wish->angles, "arm_flexion_deg", "arms raised forward");
+  number(wish->angles, "elbow_extension", "0 bent … 1 straight elbows");
+  number(wish->angles, "slouch", "0 upright … 1 slumped");
+  number(wish->angles, "relaxed_arms",
+         "0 arms as the model has them … 1 hanging, palms to the thighs");
   command->add_option("--file", wish->file, "body surface: OBJ, PLY or STL");
   command->add_option("--units", wish->units, "units of the file: m, cm, mm, in");
   command->add_option("--up", wish->up, "up axis of the file: y or z");

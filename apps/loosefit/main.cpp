@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <new>
 
+#include "blank_values.h"
 #include "command_body.h"
 #include "command_doctor.h"
 #include "command_material.h"
@@ -96,6 +97,9 @@ int run_command_line(int count, char** arguments, bool asked_for_json) {
     if (json) return print_document(report::versions_document());
     for (const auto& [library, number] : versions()) fmt::print("{:10} {}\n", library, number);
   });
+  refuse_blank_values(app);
+  if (const std::string word = value_left_out(count, arguments); !word.empty())
+    throw InvalidInput("found \"" + printable(word) + "\", expected a value behind the sign");
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& e) {

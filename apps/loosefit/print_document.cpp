@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "loosefit/base/control_characters.h"
+
 namespace loosefit {
 
 void add_json_flag(CLI::App& command, bool& json) {
@@ -18,7 +20,8 @@ bool asks_for_json(int count, char** arguments) {
   return false;
 }
 
-void print_document(const std::string& document) {
+void print_document(const std::string& json) {
+  const std::string document = json_without_controls(json);
   // A stream that cannot be written is told of at the end of the program.
   std::fwrite(document.data(), 1, document.size(), stdout);
 }

@@ -21,6 +21,8 @@ class Study:
     """
 
     def __init__(self, folder: Union[str, os.PathLike[str]]) -> None:
+        if not os.fspath(folder).strip():  # Path would take it for the folder at hand
+            raise InputError("folder: found an empty name, expected the folder of a study")
         self.folder = pathlib.Path(folder)
         self._file = self.folder / "study.sqlite"
         if not self._file.is_file():

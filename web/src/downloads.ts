@@ -15,8 +15,12 @@ export function saveText(name: string, text: string): void {
   save(name, new Blob([text], { type: "text/csv;charset=utf-8" }));
 }
 
-function cell(text: string): string {
-  return /[",\n]/.test(text) ? `"${text.replace(/"/g, "\"\"")}"` : text;
+/** A field as RFC 4180 wants it; a text that a spreadsheet would take for a formula is led by an apostrophe, as in
+ * io/csv.cpp. Numbers, also of percent, stay as they are. */
+export function csvCell(text: string): string {
+  const formula = /^'* *[=+\-@\uff1d\uff0b\uff0d\uff20]/.test(text) && !/^[+-]?\d[\d.]*(e[+-]?\d+)?( ?%)?$/i.test(text);
+  const safe = formula ? `'${text}` : text;
+  return /[",;\n]/.test(safe) ? `"${safe.replace(/"/g, "\"\"")}"` : safe;
 }
 
 /** One row per vertex: place in the pattern, position as worn, all maps of the state, skin under it. */
@@ -31,12 +35,12 @@ export function valuesCsv(data: Case, state: State): string {
   for (let v = 0; v < data.vertices; ++v) {
     const i = first[v];
     if (i < 0) continue;
-    const row = [String(v), cell(data.panels[data.cornerPanel[i]].id),
+    const row = [String(v), csvCell(data.panels[data.cornerPanel[i]].id),
                  (1000 * data.cornerUv[2 * i]).toFixed(1), (1000 * data.cornerUv[2 * i + 1]).toFixed(1),
                  ...[0, 1, 2].map((k) => state.positions[3 * v + k].toFixed(5)),
                  ...arrays.map((a) => digits(state.maps.get(a)!.values[v], 5))];
     if (data.skin)
-      row.push(cell(data.skin.regions[data.skin.region[v]]), cell(data.skin.segments[data.skin.segment[v]]),
+      row.push(csvCell(data.skin.regions[data.skin.region[v]]), csvCell(data.skin.segments[data.skin.segment[v]]),
                ...[0, 1, 2].map((k) => data.skin!.segment[v] ? data.skin!.percent[3 * v + k].toFixed(1) : ""));
     rows.push(row.join(","));
   }

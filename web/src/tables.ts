@@ -1,4 +1,5 @@
 // Tables of the report that can be sorted, and whose rows lead to places on the garment.
+import { csvCell } from "./downloads";
 
 /** The number in a cell, or NaN: "≤ 0.12", "1 234", "+8.3 %", "2=". */
 export function cellNumber(text: string): number {
@@ -47,10 +48,7 @@ export function makeSortable(table: HTMLTableElement): void {
 
 /** The cells of a table as RFC 4180 text. */
 export function tableCsv(table: HTMLTableElement): string {
-  const cell = (text: string) => {
-    const plain = text.replace(/\u2212/g, "-").trim();
-    return /[",\n]/.test(plain) ? `"${plain.replace(/"/g, "\"\"")}"` : plain;
-  };
+  const cell = (text: string) => csvCell(text.replace(/\u2212/g, "-").trim());
   const words = (c: HTMLTableCellElement) => {
     const copy = c.cloneNode(true) as HTMLElement;
     copy.querySelectorAll(".sort").forEach((b) => b.remove());

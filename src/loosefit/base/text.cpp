@@ -4,52 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
+
+#include "loosefit/base/control_characters.h"
 
 namespace loosefit {
 namespace {
 
 char folded(char c) {
   return c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
-/// Length of the UTF-8 sequence at `at` in bytes; 0 where there is none (RFC 3629).
-std::size_t sequence_length(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) -> unsigned char {
-    return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0;
-  };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
-  const bool surrogate = first == 0xed && byte(1) > 0x9f, beyond = first == 0xf4 && byte(1) > 0x8f;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
-/// Whether a sequence moves the cursor, or turns or hides text: C0, DEL and C1, zero-width and
-/// bidirectional marks, line separators, byte order marks.
-bool is_control(const std::string& s) {
-  const unsigned char first = static_cast<unsigned char>(s[0]);
-  if (s.size() == 1) return first < 0x20 || first == 0x7f;
-  if (s.size() == 2) return first == 0xc2 && static_cast<unsigned char>(s[1]) < 0xa0;
-  return (s >= "\u200b" && s <= "\u200f") || (s >= "\u2028" && s <= "\u202e") ||
-         (s >= "\u2060" && s <= "\u2069") || s == "\ufeff";
-}
-
-/// Text with every control sequence and every byte that is not UTF-8 replaced.
-std::string with_controls(const std::string& text,
-                          const std::function<std::string(const std::string&)>& replaced) {
-  std::string shown;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = sequence_length(text, at);
-    const std::string sequence = text.substr(at, std::max<std::size_t>(length, 1));
-    shown += length == 0 || is_control(sequence) ? replaced(sequence) : sequence;
-    at += sequence.size();
-  }
-  return shown;
 }
 
 std::string escaped_bytes(const std::string& bytes) {
@@ -112,16 +74,16 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string terminal_line(const std::string& text) {
-  return with_controls(text,
+  return replace_controls(text,
                        [](const std::string& s) { return s == "\n" ? "\\n" : escaped_bytes(s); });
 }
 
 std::string terminal_text(const std::string& text) {
-  return with_controls(text, [](const std::string& s) { return s == "\n" ? s : escaped_bytes(s); });
+  return replace_controls(text, [](const std::string& s) { return s == "\n" ? s : escaped_bytes(s); });
 }
 
 std::string without_controls(const std::string& text) {
-  return with_controls(text, [](const std::string& s) {
+  return replace_controls(text, [](const std::string& s) {
     return s == "\n" || s == "\t" || s == "\r" ? s : std::string("\ufffd");
   });
 }

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "loosefit/base/error.h"
-#include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/bounded_least_squares.h"
+#include "loosefit/body/plausible_measures.h"
 
 namespace loosefit::body {
 namespace {
@@ -22,19 +22,6 @@ constexpr double kStrainedDetail = 0.6;
 constexpr double kHeaviest = 1.6;
 constexpr double kAtBound = 1 - 1e-6;
 constexpr double kGrownUp = 18;  // years
-
-// What living people of any age measure, with a margin [m].
-struct Plausible {
-  const char* name;
-  double low, high;
-};
-constexpr Plausible kPlausible[] = {
-    {"height", 0.50, 2.30},     {"chest", 0.35, 1.80},       {"underbust", 0.33, 1.70},
-    {"waist", 0.30, 1.90},      {"hip", 0.33, 1.90},         {"neck", 0.18, 0.65},
-    {"mid_neck", 0.16, 0.62},   {"upper_arm", 0.10, 0.62},   {"forearm", 0.09, 0.48},
-    {"wrist", 0.07, 0.28},      {"thigh", 0.18, 1.00},       {"knee", 0.14, 0.70},
-    {"calf", 0.12, 0.65},       {"ankle", 0.09, 0.42},       {"shoulder_breadth", 0.15, 0.62},
-    {"arm_length", 0.18, 0.85}, {"back_length", 0.15, 0.62}, {"crotch_height", 0.18, 1.20}};
 
 struct Unknown {
   std::string key;  ///< "height", "weight" or a detail
@@ -59,15 +46,10 @@ const std::map<std::string, std::vector<std::string>> kDetailsOf = {
 
 void check_spec(const BodySpec& spec) {
   const auto check = [](const std::string& name, double value) {
-    const auto* range = std::find_if(std::begin(kPlausible), std::end(kPlausible),
-                                     [&](const Plausible& p) { return p.name == name; });
-    if (range == std::end(kPlausible)) {
-      throw InvalidInput({"", 0, "measurements"}, "\"" + printable(name) + "\"", "a known measure",
-                         did_you_mean(name, measure_names()));
-    }
-    if (!(value >= range->low && value <= range->high)) {
+    const PlausibleMeasure& range = plausible_measure(name);
+    if (!(value >= range.low && value <= range.high)) {
       throw InvalidInput({"", 0, name}, fmt::format("{:g} m", value),
-                         fmt::format("{:g} to {:g} m", range->low, range->high),
+                         fmt::format("{:g} to {:g} m", range.low, range.high),
                          "measures are in metres");
     }
   };

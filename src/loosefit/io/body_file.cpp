@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit::io {
@@ -42,7 +43,7 @@ void write_body_json(const std::string& path, const body::Body& body, const body
   json["landmarks"] = points(body.landmarks);
   json["landmark_vertex"] = body.landmark_vertex;
   json["joints"] = points(body.joints);
-  write_text_file(path, json.dump(1) + "\n");
+  write_text_file(path, json_without_controls(json.dump(1)) + "\n");
 }
 
 }  // namespace loosefit::io

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_frame.h"
 #include "loosefit/io/text_file.h"
@@ -212,7 +213,7 @@ std::string garmentcode_text(const pattern::Pattern& pattern) {
 }
 
 void write_garmentcode(const std::filesystem::path& path, const pattern::Pattern& pattern) {
-  write_text_file(path.string(), garmentcode_text(pattern));
+  write_text_file(path.string(), json_without_controls(garmentcode_text(pattern)));
 }
 
 }  // namespace loosefit::io

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/version.h"
 
@@ -164,7 +165,9 @@ void write_glb(const std::filesystem::path& path, const std::vector<GlbSurface>&
   file.json["buffers"] = Json::array({{{"byteLength", (file.binary.size() + 3) / 4 * 4}}});
 
   std::string chunks;
-  append_chunk(chunks, kJsonChunk, file.json.dump(-1, ' ', false, Json::error_handler_t::replace),
+  append_chunk(chunks, kJsonChunk,
+               json_without_controls(
+                   file.json.dump(-1, ' ', false, Json::error_handler_t::replace)),
                ' ');
   append_chunk(chunks, kBinaryChunk, file.binary, '\0');
   std::string bytes;

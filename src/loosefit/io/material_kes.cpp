@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "loosefit/base/text.h"
 
@@ -10,6 +12,8 @@ namespace loosefit::io {
 namespace {
 
 constexpr double kOuterWearLoad = 500;  // [gf/cm]
+// Loads of the tensile test [gf/cm]: 50 for knits, 500 for outer wear, with a margin.
+constexpr double kLeastLoad = 10, kLargestLoad = 1000;
 
 // How a KES figure becomes a constant of the material.
 struct Constant {
@@ -64,6 +68,39 @@ double in_si(const std::string& quantity, double figure, double load) {
   return quantity == "2HB" ? si / 2 : si;
 }
 
+/// Three significant digits, towards the inside of the range.
+double rounded_inwards(double value, bool up) {
+  if (value == 0) return 0;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
+  const double steps = value / step;
+  const double whole = std::abs(steps - std::round(steps)) < 1e-9 ? std::round(steps)
+                       : up                                       ? std::ceil(steps)
+                                                                  : std::floor(steps);
+  return std::stod(fmt::format("{:.3g}", whole * step));
+}
+
+/// Figures that give a constant within its range, whatever else the table says.
+NumberRange in_kes(const Constant& c) {
+  const std::string quantity = c.quantity;
+  double low = 0, high = 0;
+  if (quantity == "EMT") {  // the stiffer, the less it gives; the load is a key of its own
+    low = 100 * fabric::kes_to_si("F", kLargestLoad) / c.range.high;
+    high = 100 * fabric::kes_to_si("F", kLeastLoad) / c.range.low;
+  } else {
+    const double unit = in_si(quantity, 1, kOuterWearLoad);
+    low = c.range.low / unit, high = c.range.high / unit;
+  }
+  return {rounded_inwards(low, true), rounded_inwards(high, false), fabric::kes_unit(quantity).unit};
+}
+
+/// What a figure may be. One that the model does not use is only a number.
+NumberRange range_of(const std::string& quantity) {
+  for (const Constant& c : constants())
+    if (c.quantity == quantity) return in_kes(c);
+  const std::string& unit = fabric::kes_unit(quantity).unit;
+  return {quantity[0] == '2' ? 0 : 1e-9, 1e6, unit == "-" ? "a figure" : unit};
+}
+
 /// The conversion of one figure in words.
 std::string conversion(const std::string& key, const std::string& quantity, double figure,
                        double load) {
@@ -84,6 +121,14 @@ std::vector<std::string> directed_quantities() {
   for (const RecordedFigure& t : kRecorded)
     if (t.directed) names.emplace_back(t.quantity);
   return names;
+}
+
+std::optional<double> figure_of(ConfigReader& kes, const std::string& key,
+                                const std::string& quantity) try {
+  return kes.optional_number(key, range_of(quantity), fabric::kes_unit(quantity).meaning);
+} catch (const InvalidInput& error) {  // most often figures in other units
+  throw InvalidInput(error.place(), error.found(), error.expected(),
+                     "figures of [kes] are in the units of the KES instruments");
 }
 
 /// A figure is one number, that of a direction has a key of its own.
@@ -120,8 +165,9 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
   if (!given) return set;
   ConfigReader kes = *given;
   check_shapes(kes, *table.node("kes"));
-  const NumberRange positive{1e-9, 1e6, "a figure above 0"};
-  const double load = kes.number("EMT_load", kOuterWearLoad, positive, "load of EMT, gf/cm");
+  const double load = kes.number("EMT_load", kOuterWearLoad,
+                                 {kLeastLoad, kLargestLoad, fabric::kes_unit("F").unit},
+                                 "load of EMT");
   // Records a figure for the card; a key that the card had already is replaced.
   const auto put = [&](const std::string& key, const std::string& quantity, double figure) {
     const auto same = std::find_if(figures.begin(), figures.end(),
@@ -134,9 +180,7 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
   if (kes.has("EMT_load")) put("EMT_load", "F", load);
   // Reads a figure and records it; empty when the key is absent.
   const auto record = [&](const std::string& key, const std::string& quantity) {
-    const NumberRange range = quantity[0] == '2' ? NumberRange{0, 1e6, "a figure"} : positive;
-    const fabric::KesUnit& unit = fabric::kes_unit(quantity);
-    const auto figure = kes.optional_number(key, range, unit.meaning + ", " + unit.unit);
+    const auto figure = figure_of(kes, key, quantity);
     if (figure) put(key, quantity, *figure);
     return figure;
   };
@@ -158,11 +202,6 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
     set[c.si_key] = conversion(key, quantity, *figure, load);
     const double si = in_si(quantity, *figure, load);
     const std::string measured = fmt::format("{} {}", *figure, fabric::kes_unit(quantity).unit);
-    // Out of range most often means figures in other units.
-    if (!(si >= c.range.low && si <= c.range.high))
-      throw kes.error(key, fmt::format("{}, that is {} = {:g}", measured, c.si_key, si),
-                      fmt::format("{} from {} to {}", c.range.what, c.range.low, c.range.high),
-                      "figures of [kes] are in the units of the KES instruments");
     // The card may state the SI value too; then both must agree.
     if (const ConfigNode* node = table.node(c.si_key); node && is_number(*node)) {
       const double stated = node->number;

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/output_mark.h"
+#include "loosefit/io/output_name.h"
 #include "loosefit/io/replace_files.h"
 #include "loosefit/io/text_file.h"
 
@@ -64,16 +65,17 @@ RunFolder::~RunFolder() {
 }
 
 RunFolder RunFolder::create(const fs::path& folder, const std::string& kind) {
-  if (folder.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
+  check_output_name(folder);
   return {real_path(folder), kind, Mode::whole};
 }
 
 RunFolder RunFolder::update(const fs::path& existing, const std::string& kind) {
+  check_output_name(existing);
   return {real_path(existing), kind, Mode::update};
 }
 
 RunFolder RunFolder::add(const fs::path& folder, const std::string& kind) {
-  if (folder.empty()) throw InvalidInput({"", 0, "-o"}, "an empty name", "the folder to write");
+  check_output_name(folder);
   return {real_path(folder), kind, Mode::add};
 }
 

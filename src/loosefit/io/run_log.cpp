@@ -6,6 +6,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 
 namespace loosefit::io {
@@ -41,7 +42,7 @@ void RunLog::write(const std::string& event, const std::string& text) {
   line["event"] = event;
   line["text"] = text;
   const std::string dumped =
-      line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+      json_without_controls(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) + "\n";
   std::fwrite(dumped.data(), 1, dumped.size(), stream_.get());
 }
 

@@ -7,6 +7,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/named_postures.h"
+#include "loosefit/body/plausible_measures.h"
 #include "loosefit/io/existing_file.h"
 #include "loosefit/io/scenario_wear.h"
 
@@ -120,6 +121,13 @@ scenario::ScenarioBody read_body_file(ConfigReader& table,
 
 }  // namespace
 
+NumberRange age_range() { return {3, 90, "years"}; }
+
+NumberRange measure_range(const std::string& name) {
+  const body::PlausibleMeasure& range = body::plausible_measure(name);
+  return {range.low, range.high, "metres"};
+}
+
 scenario::ScenarioBody read_body_section(ConfigReader table,
                                          const std::vector<std::string>& postures) {
   if (table.has("file")) return read_body_file(table, postures);
@@ -127,8 +135,8 @@ scenario::ScenarioBody read_body_section(ConfigReader table,
     if (table.has(key)) throw table.error(key, std::string(key) + " only beside file");
   scenario::ScenarioBody body;
   body.sex = read_sex(table);
-  body.age = table.number("age", body.age, {3, 90, "years"}, "age of the person");
-  body.height = table.number("height", body.height, {0.7, 2.3, "metres"}, "stature");
+  body.age = table.number("age", body.age, age_range(), "age of the person");
+  body.height = table.number("height", body.height, measure_range("height"), "stature");
   ConfigReader wishes =
       table.table("measurements", "wished tape measures; the body is fitted to any subset");
   if (wishes.has("height")) throw wishes.error("height", "height as a key of [body] itself");
@@ -136,7 +144,7 @@ scenario::ScenarioBody read_body_section(ConfigReader table,
     if (name == "height")
       continue;
     else if (const auto wish =
-                 wishes.optional_number(name, {0.08, 2.0, "metres"}, "tape measure: " + name))
+                 wishes.optional_number(name, measure_range(name), "tape measure: " + name))
       body.measurements[name] = *wish;
   wishes.finish();
   body.muscle = table.number("muscle", body.muscle, kFraction, "shape that no tape measure fixes");

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/output_name.h"
 #include "loosefit/io/plain_files.h"
 #include "loosefit/io/text_file.h"
 
@@ -21,6 +22,7 @@ struct TemporaryFile {
 }  // namespace
 
 void check_whole_file(const std::filesystem::path& file, bool may_replace) {
+  check_output_name(file);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error))

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/version.h"
 #include "loosefit/io/address_columns.h"
@@ -428,7 +429,7 @@ std::string summary_json(const CaseResult& result) {
   for (const auto& [library, number] : versions()) json["versions"][library] = number;
   json["draped_from"] = draped_from(result.scenario);
   json["scenario_sha256"] = sha256_hex(io::scenario_toml(result.scenario));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_controls(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace loosefit::pipeline

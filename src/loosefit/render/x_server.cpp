@@ -160,7 +160,8 @@ XServer::XServer() {
                              authority_path.c_str(),
                              nullptr};
   const pid_t parent = getpid();
-  process_ = fork();
+  // Not fork(), which has libraries wait for their threads first; one of a BLAS may have no memory.
+  process_ = _Fork();
   if (process_ == 0)
     become_server(program.c_str(), const_cast<char* const*>(arguments), parent, to.number,
                   authority.number);

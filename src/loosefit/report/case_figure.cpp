@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/maps/catalogue.h"
@@ -279,7 +280,7 @@ std::string figure_document(const std::filesystem::path& file, render::FigureSiz
                                        {"width_px", size.width},
                                        {"height_px", size.height},
                                        {"frames", frames}};
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_without_controls(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace loosefit::report

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/address_columns.h"
@@ -304,7 +305,7 @@ std::string ranking_json(const placement::RankingTable& table) {
   Json& sites = json["sites"] = Json::array();
   for (const placement::RankedSite& site : table.ranking.sites)
     sites.push_back(site_json(table, site));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_controls(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::vector<std::string> ranking_files(const std::string& scorecard) {

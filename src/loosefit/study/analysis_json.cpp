@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/version.h"
 #include "loosefit/placement/metric_names.h"
 #include "loosefit/study/cautions.h"
@@ -159,7 +160,7 @@ std::string analysis_json(const StudyAnalysis& analysis) {
   for (const CaseTrouble& t : data.troubles)
     json["troubles"].push_back(
         {{"number", t.number}, {"case", t.label}, {"status", t.status}, {"reason", t.reason}});
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_controls(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace loosefit::study

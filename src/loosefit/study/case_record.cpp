@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/build_id.h"
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
 #include "loosefit/io/text_file.h"
@@ -188,7 +189,7 @@ bool of_another_build(const CaseRecord& record) {
 std::string record_json(const CaseRecord& record) {
   // What is dumped is digested; bytes that are not UTF-8 (of a path in a message) are replaced.
   const std::string result =
-      result_json(record).dump(1, ' ', false, Json::error_handler_t::replace);
+      json_without_controls(result_json(record).dump(1, ' ', false, Json::error_handler_t::replace));
   return "{\"sha256\": \"" + sha256_hex(result) + "\",\n\"result\": " + result + "}\n";
 }
 

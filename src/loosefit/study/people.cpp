@@ -13,6 +13,7 @@
 #include "loosefit/body/body_tape.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/csv.h"
+#include "loosefit/io/scenario_body.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "loosefit/placement/resample.h"
@@ -23,8 +24,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const io::NumberRange kLength{0.05, 2.5, "metres"};
-/// Of [body] and its tape measures (io/scenario_body.cpp).
-const io::NumberRange kStature{0.7, 2.3, "metres"}, kTape{0.08, 2.0, "metres"};
 
 fs::path folder() { return data_directory() / "anthropometry"; }
 
@@ -272,10 +271,9 @@ std::vector<Person> read_people_csv(const fs::path& path) {
                          ? 1
                          : number_of(fields[i], {0, 1, "female, male or a number"}, place);
       else if (head[i] == "age")
-        person.age = number_of(fields[i], {3, 90, "years"}, place);
+        person.age = number_of(fields[i], io::age_range(), place);
       else if (head[i] == "height" || !fields[i].empty())
-        person.measures[head[i]] =
-            number_of(fields[i], head[i] == "height" ? kStature : kTape, place);
+        person.measures[head[i]] = number_of(fields[i], io::measure_range(head[i]), place);
     }
     if (person.name.empty() || !names.insert(person.name).second)
       throw InvalidInput({file, line, "name"}, "\"" + printable(person.name) + "\"",

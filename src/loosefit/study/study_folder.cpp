@@ -10,10 +10,12 @@
 #include <set>
 #include <sstream>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/output_name.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/plan.h"
@@ -171,6 +173,8 @@ void remove_left_overs(const fs::path& file) {
     if (entry.path().filename().string().starts_with(begin)) fs::remove(entry.path(), error);
 }
 
+StudyFolder::StudyFolder(fs::path path) : path_(std::move(path)) { io::check_output_name(path_); }
+
 fs::path StudyFolder::case_folder(const std::string& address) const {
   return path_ / "cases" / address.substr(0, 2) / address;
 }
@@ -273,7 +277,7 @@ void StudyFolder::write_plan(const Plan& plan, const SetAside& tell) const {
   check_same_study(plan, before);
   const fs::path plan_file = path_ / "plan.json", study_file = path_ / "study.toml";
   const std::string plan_text =
-      plan_json(plan).dump(1) + "\n";  // may throw: nothing is written yet
+      json_without_controls(plan_json(plan).dump(1)) + "\n";  // may throw: nothing is written yet
   if (!before && io::is_there(plan_file)) tell(set_aside(plan_file, "damaged"));
   if (before && io::is_there(study_file))
     if (const auto there = io::plain_digest(path_, "study.toml");

@@ -31,8 +31,8 @@ struct FolderState {
 
 class StudyFolder {
  public:
-  /// Does not touch the disk.
-  explicit StudyFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Does not touch the disk. \throws InvalidInput for an empty name.
+  explicit StudyFolder(std::filesystem::path path);
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path case_folder(const std::string& address) const;
   std::filesystem::path scenario_file(const std::string& address) const;

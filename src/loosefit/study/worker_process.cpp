@@ -27,14 +27,15 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   // A file in memory takes in whatever is said, without a reader that must keep up.
   output_ = memfd_create("loosefit-worker", MFD_CLOEXEC);
   const pid_t parent = getpid();
-  pid_ = output_ < 0 ? -1 : fork();
+  // Not fork(), which has libraries wait for their threads first; one of a BLAS may have no memory.
+  pid_ = output_ < 0 ? -1 : _Fork();
   if (pid_ < 0) {
     const std::string cause = std::strerror(errno);
     if (output_ >= 0) close(output_);
     throw IoError(command.front() + ": cannot be started: " + cause);
   }
   if (pid_ > 0) return;
-  // In the child, until exec, only what is safe after fork.
+  // In the child, until exec, only what is safe after a fork.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);
   setpgid(0, 0);  // Ctrl-C is for the runner, which ends its workers

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/version.h"
 #include "loosefit/validate/solver_settings.h"
 
@@ -99,7 +100,7 @@ std::string validation_json(const Validation& validation) {
                     {"settings", settings},
                     {"benchmarks", list},
                     {"versions", libraries}};
-  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_without_controls(all.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string benchmarks_json(const std::vector<Benchmark>& list) {
