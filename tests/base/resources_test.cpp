@@ -1,7 +1,9 @@
 #include "loosefit/base/resources.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
+#include <cstdlib>
 #include <vector>
 
 namespace loosefit {
@@ -17,6 +19,32 @@ TEST(PeakMemory, RisesByWhatIsTouched) {
 
 TEST(UsableMemory, IsMoreThanThisProcessHasTaken) {
   EXPECT_GT(usable_memory_mb(), peak_memory_mb());
+}
+
+/// Ends the process with what it is told on this core alone.
+[[noreturn]] void count_on(int cpu) {
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  CPU_SET(cpu, &one);
+  if (sched_setaffinity(0, sizeof one, &one) != 0) std::_Exit(9);
+  const ThreadLimit all(0);
+  std::_Exit(10 * allowed_cores() + usable_threads());
+}
+
+TEST(AllowedCoresDeath, AreThoseOfTheAffinity) {
+  cpu_set_t all;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  EXPECT_LE(allowed_cores(), CPU_COUNT(&all));
+  EXPECT_GE(allowed_cores(), 1);
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
+    if (CPU_ISSET(cpu, &all)) {
+      EXPECT_EXIT(count_on(cpu), ::testing::ExitedWithCode(11), "") << cpu;
+    }
+}
+
+TEST(ThreadLimit, HasNoMoreThreadsThanAllowedCores) {
+  const ThreadLimit many(10000);
+  EXPECT_EQ(usable_threads(), allowed_cores());
 }
 
 TEST(ThreadLimit, HoldsWhileItLives) {

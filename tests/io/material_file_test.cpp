@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <random>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
@@ -180,6 +181,48 @@ TEST(Kes, DisagreementNamesBothFigures) {
   const std::string si = refusal("[kes]\nB = 4.4e-6\n");
   EXPECT_NE(si.find("m.toml:2: kes.B"), std::string::npos) << si;
   EXPECT_NE(si.find("units of the KES instruments"), std::string::npos) << si;
+}
+
+TEST(Kes, FiguresHaveTheRangesOfTheConstantsThatTheyBecome) {
+  struct Figure {
+    const char* key;
+    double factor;     ///< to SI, by hand (docs/theory/materials.md 5)
+    double low, high;  ///< of the constant [SI]
+  };
+  const Figure figures[] = {{"W", 0.01, 0.01, 5},
+                            {"T", 1e-3, 5e-5, 5e-3},
+                            {"G", 56.188, 0.1, 1e6},
+                            {"B_warp", 9.80665e-5, 1e-8, 1e-3},
+                            {"2HB_weft", 9.80665e-3 / 2, 0, 0.1}};
+  for (const Figure& f : figures) {
+    const auto said = [&](double figure) {
+      return refusal("[kes]\n" + std::string(f.key) + " = " + std::to_string(figure) + "\n");
+    };
+    EXPECT_EQ(said(0.98 * f.high / f.factor), "accepted") << f.key;
+    EXPECT_NE(said(1.02 * f.high / f.factor).find(f.key), std::string::npos);
+    if (f.low > 1e-5 * f.factor) {  // else too small for six decimals
+      EXPECT_EQ(said(1.02 * f.low / f.factor), "accepted") << f.key;
+      EXPECT_NE(said(0.98 * f.low / f.factor).find(f.key), std::string::npos);
+    }
+  }
+}
+
+TEST(Kes, NoElongationAndLoadTogetherLeaveTheRangeOfStiffness) {
+  std::mt19937 random(29);
+  const auto drawn = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
+  };
+  int taken = 0;
+  for (int draw = 0; draw < 300; ++draw) {
+    const double emt = drawn(1e-3, 1e5), load = drawn(1, 1e4);
+    const std::string text =
+        "[kes]\nEMT = " + std::to_string(emt) + "\nEMT_load = " + std::to_string(load) + "\n";
+    if (refusal(text) != "accepted") continue;
+    ++taken;
+    const double stiffness = overridden(text).material.stiffness_warp;
+    EXPECT_TRUE(stiffness >= 1 && stiffness <= 1e6) << text;
+  }
+  EXPECT_GT(taken, 50);
 }
 
 scenario::MaterialCard own_card(const std::string& text) {

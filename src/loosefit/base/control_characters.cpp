@@ -21,6 +21,14 @@ std::size_t sequence_length(const std::string& text, std::size_t at) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
+char32_t code_point(const std::string& sequence) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(sequence[i]); };
+  if (sequence.size() == 1) return byte(0);
+  char32_t code = byte(0) & (0xffu >> (sequence.size() + 1));
+  for (std::size_t i = 1; i < sequence.size(); ++i) code = code << 6 | (byte(i) & 0x3fu);
+  return code;
+}
+
 namespace {
 
 /// Whether a sequence moves the cursor, or turns or hides text: C0, DEL and C1, zero-width and
@@ -53,16 +61,10 @@ std::string replace_controls(const std::string& text,
 std::string json_without_controls(const std::string& document) {
   return replace_controls(document, [](const std::string& s) -> std::string {
     if (s.size() == 1) return s == "\x7f" ? "\\u007f" : s;  // JSON itself escapes those below 0x20
-    const auto bits = [&](std::size_t i, unsigned mask) {
-      return static_cast<unsigned>(static_cast<unsigned char>(s[i])) & mask;
-    };
-    if (s.size() == 2) return fmt::format("\\u{:04x}", bits(0, 0x1f) << 6 | bits(1, 0x3f));
-    if (s.size() == 3)
-      return fmt::format("\\u{:04x}", bits(0, 0x0f) << 12 | bits(1, 0x3f) << 6 | bits(2, 0x3f));
-    const unsigned code =
-        bits(0, 0x07) << 18 | bits(1, 0x3f) << 12 | bits(2, 0x3f) << 6 | bits(3, 0x3f);
-    const unsigned high = (code - 0x10000) >> 10, low = (code - 0x10000) & 0x3ff;
-    return fmt::format("\\u{:04x}\\u{:04x}", 0xd800 + high, 0xdc00 + low);
+    const auto code = static_cast<unsigned>(code_point(s));
+    if (code < 0x10000) return fmt::format("\\u{:04x}", code);
+    return fmt::format("\\u{:04x}\\u{:04x}", 0xd800 + ((code - 0x10000) >> 10),
+                       0xdc00 + ((code - 0x10000) & 0x3ff));
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/text.h"
 
 namespace loosefit::io {
@@ -35,15 +36,14 @@ std::string ConfigNode::describe() const {
 std::string toml_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (char c : text) {
-    const unsigned char byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      quoted += std::string("\\") + c;
-    else if (byte < 0x20 || byte == 0x7f)
-      quoted += fmt::format("\\u{:04x}", byte);
-    else
-      quoted += c;
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
   }
-  return quoted + "\"";
+  return replace_controls(quoted + "\"", [](const std::string& s) -> std::string {
+    const auto code = static_cast<unsigned>(code_point(s));
+    if (s.size() == 1 && code >= 0x80) return s;  // no UTF-8, so no character either
+    return code < 0x10000 ? fmt::format("\\u{:04x}", code) : fmt::format("\\U{:08x}", code);
+  });
 }
 
 }  // namespace loosefit::io

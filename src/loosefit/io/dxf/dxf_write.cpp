@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/text_file.h"
@@ -69,9 +70,7 @@ class Writer {
 };
 
 std::string one_line(const std::string& words) {
-  std::string line;
-  for (const char c : words) line += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  return line;
+  return replace_controls(words, [](const std::string&) { return std::string(" "); });
 }
 
 /// Points of an edge, both ends included.
