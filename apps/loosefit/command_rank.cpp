@@ -9,6 +9,7 @@
 #include "exit_code.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/placement/site_search.h"
 #include "loosefit/report/rank_runs.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/result_documents.h"
@@ -89,13 +90,13 @@ void add_rank_command(CLI::App& app, int& exit_code) {
   command->add_flag("--sites", arguments->sites,
                     "rank the scenario's sites and the presets (default without --best)");
   command->add_option("--best", arguments->best, "search for the best K places")
-      ->check(CLI::Range(1, 1000));
+      ->check(CLI::Range(1, placement::kMostPlaces));
   command->add_option("--spacing", arguments->spacing_mm, "between found places, mm (default 50)")
-      ->check(CLI::Range(0.0, 10000.0));
+      ->check(CLI::Range(0.0, 1e3 * placement::kLargestClearance));
   command->add_option("--seam", arguments->seam_mm, "sensor to seams, mm (default 10)")
-      ->check(CLI::Range(0.0, 10000.0));
+      ->check(CLI::Range(0.0, 1e3 * placement::kLargestClearance));
   command->add_option("--edge", arguments->edge_mm, "sensor to hems and openings, mm (default 10)")
-      ->check(CLI::Range(0.0, 10000.0));
+      ->check(CLI::Range(0.0, 1e3 * placement::kLargestClearance));
   command
       ->add_option("--keep-out", arguments->keep_out,
                    "PANEL:u,v,u,v or PANEL:u,v,radius in metres, or a body region; may be repeated")

@@ -14,6 +14,7 @@
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/pipeline/rank_case.h"
 #include "loosefit/placement/site_ranking.h"
+#include "loosefit/placement/site_search.h"
 #include "loosefit/report/ranking_output.h"
 
 namespace loosefit::python {
@@ -40,8 +41,10 @@ struct Wish {
 };
 
 double metres(double millimetres, const char* key) {
-  if (!(millimetres >= 0 && millimetres <= 10000))
-    throw InvalidInput({"", 0, key}, shortest(millimetres), "millimetres from 0 to 10000");
+  constexpr double kLargest = 1e3 * placement::kLargestClearance;
+  if (!(millimetres >= 0 && millimetres <= kLargest))
+    throw InvalidInput({"", 0, key}, shortest(millimetres),
+                       "millimetres from 0 to " + shortest(kLargest));
   return 1e-3 * millimetres;
 }
 
@@ -52,8 +55,9 @@ body::Region region_of(const std::string& name) {
 }
 
 placement::RankingWish ranking_wish(const Wish& wish) {
-  if (wish.best < 0 || wish.best > 1000)
-    throw InvalidInput({"", 0, "best"}, std::to_string(wish.best), "an integer from 0 to 1000");
+  if (wish.best < 0 || wish.best > placement::kMostPlaces)
+    throw InvalidInput({"", 0, "best"}, std::to_string(wish.best),
+                       "an integer from 0 to " + std::to_string(placement::kMostPlaces));
   placement::RankingWish made;
   made.scorecard = io::load_scorecard(wish.modality);
   made.best = wish.best;

@@ -8,6 +8,7 @@
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scorecard_key.h"
 #include "loosefit/maps/compute_maps.h"
+#include "loosefit/placement/site_search.h"
 
 // [material], [simulation], [output] and [ranking]: how it is computed and shown.
 namespace loosefit::io {
@@ -82,7 +83,8 @@ scenario::ScenarioRanking read_ranking_section(ConfigReader table) {
   const std::string about = "scorecard by which sites are ranked, or the path of a .toml file";
   r.modality = scorecard_of(table, "modality", about, false);
   r.best =
-      static_cast<int>(table.integer("best", r.best, 0, 1000, "places to search beside the sites"));
+      static_cast<int>(table.integer("best", r.best, 0, placement::kMostPlaces,
+                                     "places to search beside the sites"));
   r.partial = table.boolean("partial", r.partial, "judge by the criteria that the drapes can tell");
   for (const char* key : {"best", "partial"})
     if (table.lacks(key, "modality"))

@@ -15,13 +15,14 @@ namespace {
 
 void check(const garment::Garment& garment, const SearchField& field,
            const SearchConstraints& constraints, const SearchOptions& options) {
-  if (options.best < 1 || options.best > 1000)
-    throw InvalidInput(fmt::format("number of sites: found {}, expected 1 to 1000", options.best));
+  if (options.best < 1 || options.best > kMostPlaces)
+    throw InvalidInput(
+        fmt::format("number of sites: found {}, expected 1 to {}", options.best, kMostPlaces));
   for (double length :
        {constraints.spacing, constraints.seam_clearance, constraints.edge_clearance})
-    if (!(length >= 0 && length <= 10))
+    if (!(length >= 0 && length <= kLargestClearance))
       throw InvalidInput("spacing or clearance: found " + shortest(length) +
-                         ", expected metres from 0 to 10");
+                         ", expected metres from 0 to " + shortest(kLargestClearance));
   const auto vertices = static_cast<std::size_t>(garment.vertex_count);
   const bool need_regions = !constraints.keep_out.regions.empty() || !constraints.regions.empty();
   if (field.positions.size() != vertices || (need_regions && field.regions.size() != vertices))

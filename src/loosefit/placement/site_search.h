@@ -11,6 +11,10 @@
 
 namespace loosefit::placement {
 
+/// What may be asked for, at every door: places to search, and each of the distances below [m].
+inline constexpr int kMostPlaces = 1000;
+inline constexpr double kLargestClearance = 10;
+
 /// Where a sensor may sit. Distances to borders and zones are those of its outline: the circle
 /// about the scorecard's footprint stays clear of them.
 struct SearchConstraints {
