@@ -27,6 +27,8 @@ add_test(NAME study_kills
 set_tests_properties(study_kills PROPERTIES SKIP_RETURN_CODE 77)  # where no full disk can be made
 add_test(NAME study_read_only
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/read_only_test.py $<TARGET_FILE:loosefit>)
+add_test(NAME study_names
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/names_test.py $<TARGET_FILE:loosefit>)
 add_test(NAME scenario_keys
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tools/scenario_keys.py --binary $<TARGET_FILE:loosefit> --check)
 add_test(NAME scenario_schema
