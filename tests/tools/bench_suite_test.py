@@ -16,6 +16,8 @@ import pairs  # noqa: E402
 import records  # noqa: E402
 import robustness_draw  # noqa: E402
 import run_bench  # noqa: E402
+import schema_cases  # noqa: E402
+import schema_draw  # noqa: E402
 
 
 def call(program, *arguments):
@@ -190,6 +192,53 @@ class Records(unittest.TestCase):
                 kept = records.read(path)
                 self.assertTrue(kept.get("cases") or kept.get("loosefit"))
                 self.assertLess(len(path.read_text().splitlines()), 300)
+
+
+class ScenariosOfTheSchema(unittest.TestCase):
+    SCHEMA = {"type": "object", "properties": {
+        "body": {"anyOf": [{"type": "object", "properties": {"height": {"type": "number", "minimum": 0.7, "maximum": 2.3,
+                                                                         "default": 1.7}}}]},
+        "garment": {"anyOf": [{"type": "object", "properties": {"pattern": {"type": "string", "enum": ["shirt", "trousers"]},
+                                                                 "length": {"type": "number", "minimum": 1e-3, "maximum": 10}}}]},
+        "simulation": {"type": "object", "properties": {"edge_length": {"type": "number", "minimum": 0.001, "maximum": 0.1},
+                                                        "seed": {"type": "integer", "minimum": 0, "maximum": 9}}}}}
+
+    def test_draws_keep_to_the_schema_and_follow_from_seed_and_number(self):
+        for case in range(200):
+            drawn = schema_draw.draw(1, case, self.SCHEMA)
+            self.assertEqual(drawn, schema_draw.draw(1, case, self.SCHEMA))
+            self.assertLessEqual(set(drawn), set(self.SCHEMA["properties"]) | {"body"})
+            self.assertIn(drawn.get("garment", {}).get("pattern", "shirt"), ("shirt", "trousers"))
+            height = drawn.get("body", {}).get("height", 1)
+            self.assertTrue(0.7 <= height <= 2.3, height)
+            self.assertTrue(1e-3 <= drawn.get("garment", {}).get("length", 1) <= 10)
+            self.assertNotIn("edge_length", drawn.get("simulation", {}))
+            self.assertIsInstance(drawn.get("simulation", {}).get("seed", 0), int)
+
+    def test_an_end_is_good_only_in_words_and_in_time(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch) / "case"
+
+            def end(code, wall=1, words=""):
+                return schema_cases.end_of(code, wall, words, folder, 30)
+            self.assertEqual(end(0), "certified")
+            self.assertEqual(end(1), "unsettled")
+            self.assertEqual(end(2, words="error: body.height: found 9"), "refused")
+            self.assertEqual(end(2), "wordless")
+            self.assertEqual(end(2, words="error: unexpected: x"), "internal")
+            self.assertEqual(end(2, words="error: not enough memory"), "memory")
+            self.assertEqual(end(-11), "crash")
+            self.assertEqual(end(-9, wall=30), "hang")
+            (pathlib.Path(scratch) / ".case.writing-1").mkdir()
+            self.assertEqual(end(0), "left")
+
+    def test_the_strangest_is_the_one_unlike_the_others(self):
+        rows = [{"case": case, "end": "certified", "figures": json.dumps({"strain": 0.1 + 0.001 * case})} for case in range(9)]
+        rows.append({"case": 9, "end": "certified", "figures": json.dumps({"strain": 40})})
+        rows.append({"case": 10, "end": "refused", "figures": ""})
+        order = schema_cases.strangeness(rows)
+        self.assertEqual(order[0], 9)
+        self.assertEqual(len(order), 10)
 
 
 if __name__ == "__main__":
