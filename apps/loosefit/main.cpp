@@ -10,6 +10,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "blank_values.h"
 #include "command_body.h"
@@ -115,15 +116,24 @@ int run_command_line(int count, char** arguments, bool asked_for_json) {
 constexpr char kNoMemory[] = "not enough memory";
 constexpr char kLessMemory[] = "a larger simulation.edge_length needs less";
 
+/// Also where there was none for the stack of a thread.
+bool is_want_of_memory(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return true;
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  return system && (system->code() == std::errc::resource_unavailable_try_again ||
+                    system->code() == std::errc::not_enough_memory);
+}
+
 /// An exception that nobody can catch, as one that leaves a destructor, ends the process. Of our
 /// libraries only want of memory comes so far. Words and code are those of any other place.
 [[noreturn]] void end_in_words() {
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
-  } catch (const std::bad_alloc&) {
-    failed(kBadInput, kNoMemory, kLessMemory);
-    _exit(kBadInput);
   } catch (const std::exception& error) {
+    if (is_want_of_memory(error)) {
+      failed(kBadInput, kNoMemory, kLessMemory);
+      _exit(kBadInput);
+    }
     failed(kBadInput, std::string("unexpected: ") + error.what());
   } catch (...) {
   }
@@ -151,10 +161,11 @@ int run_guarded(int count, char** arguments) {
     return failed(kNotSettled, e, e.hint(), json);
   } catch (const Error& e) {
     return failed(kBadInput, e, e.hint(), json);
-  } catch (const std::bad_alloc&) {
-    const Error error(kNoMemory, kLessMemory);
-    return failed(kBadInput, error, error.hint(), json);
   } catch (const std::exception& e) {
+    if (is_want_of_memory(e)) {
+      const Error error(kNoMemory, kLessMemory);
+      return failed(kBadInput, error, error.hint(), json);
+    }
     if (std::ferror(stdout)) return kBadInput;  // fmt throws then; with_output_written tells
     const Error error(std::string("unexpected: ") + e.what(),
                       "this is a fault of Loosefit; please report it with the scenario");

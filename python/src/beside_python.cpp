@@ -7,11 +7,15 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "loosefit/base/resources.h"
 
 namespace loosefit::python {
 namespace {
@@ -86,14 +90,11 @@ class Worker {
  public:
   Worker(Mailbox& mailbox, const std::function<void(Progress&)>& work) : mailbox_(mailbox) {
     const SignalsElsewhere quiet;
-    thread_ = std::thread([this, &work] {
-      try {
-        work(mailbox_);
-      } catch (...) {
-        failure_ = std::current_exception();
-      }
-      mailbox_.end();
-    });
+    try {
+      thread_ = std::thread([this, &work] { run(work); });
+    } catch (const std::system_error&) {  // no memory for the stack of one more
+      throw std::bad_alloc();
+    }
   }
   ~Worker() {
     if (!thread_.joinable()) return;
@@ -116,6 +117,16 @@ class Worker {
   }
 
  private:
+  void run(const std::function<void(Progress&)>& work) {
+    try {
+      const ThreadLimit cores(0);
+      work(mailbox_);
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+    mailbox_.end();
+  }
+
   Mailbox& mailbox_;
   std::exception_ptr failure_;
   std::thread thread_;
