@@ -233,7 +233,7 @@ void add_fit(Lines& all, const CaseResult& result) {
 /// Of a body without joints the certificate says that nothing was asked.
 void add_putting_on(Lines& all, const CaseResult& result) {
   const PuttingOn& on = result.putting_on;
-  if (on.possible == true || result.body.body->joints.empty()) return;
+  if (on.possible == true || on.reasons.empty() || result.body.body->joints.empty()) return;
   all.push_back((on.possible ? "fit: cannot be put on without a fastening: "
                              : "fit: whether it can be put on is not judged: ") +
                 join(on.reasons, "; "));

@@ -107,6 +107,7 @@ PuttingOn judge_putting_on(const std::vector<CaseGarment>& garments,
 
 std::string putting_on_verdict(const PuttingOn& putting_on) {
   if (putting_on.possible == true) return "yes";
+  if (putting_on.reasons.empty()) return "not asked";
   return (putting_on.possible ? "not without a fastening: " : "not judged: ") +
          join(putting_on.reasons, "; ");
 }

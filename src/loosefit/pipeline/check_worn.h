@@ -30,7 +30,7 @@ CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseRes
 PuttingOn judge_putting_on(const std::vector<CaseGarment>& garments,
                            const scenario::Scenario& scenario, const body::PosedBody& body);
 
-/// "yes", "not without a fastening: …" or "not judged: …" with the reasons.
+/// "yes", "not without a fastening: …" or "not judged: …" with the reasons; "not asked".
 std::string putting_on_verdict(const PuttingOn& putting_on);
 
 /// What was asked of garments that are worn, as a phrase: all that drape/worn.h asks, or what of it
