@@ -61,16 +61,26 @@ std::vector<TornRegion> torn_regions(const garment::Garment& garment,
                                      const std::vector<Vec3>& positions,
                                      const fabric::Material& material,
                                      const body::PosedBody& body) {
+  const double warp_bears = bears(material.valid_strain_warp, material.stretch_warp),
+               weft_bears = bears(material.valid_strain_weft, material.stretch_weft);
+  const auto is_torn = [&](const TriangleStrain& strain) {
+    return strain.warp > warp_bears || strain.weft > weft_bears;
+  };
+  std::vector<TriangleStrain> strains;
+  double torn_area = 0;
+  for (const geometry::DeformationGradient& f : borne_gradients(garment, positions)) {
+    if (is_torn(strains.emplace_back(triangle_strain(f))))
+      torn_area += geometry::flat_area(garment.triangle_uv[strains.size() - 1]);
+  }
+  if (torn_area <= kTornArea) return {};  // most garments: the skin need not be asked
+
   struct Sum {
     double area = 0, torn = 0, warp = 0, weft = 0;
   };
-  const double warp_bears = bears(material.valid_strain_warp, material.stretch_warp),
-               weft_bears = bears(material.valid_strain_weft, material.stretch_weft);
-  const bool parted = body->segment.size() == body->surface.vertices.size();
   std::map<int, Sum> of_region;
-  const std::vector<geometry::DeformationGradient> gradients = borne_gradients(garment, positions);
-  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const TriangleStrain strain = triangle_strain(gradients[t]);
+  const bool parted = body->segment.size() == body->surface.vertices.size();
+  for (std::size_t t = 0; t < strains.size(); ++t) {
+    const TriangleStrain& strain = strains[t];
     if (!std::isfinite(strain.warp)) continue;  // no flat area
     const Triangle& c = garment.triangles[t];
     const Vec3 middle = (positions[c[0]] + positions[c[1]] + positions[c[2]]) / 3;
@@ -80,7 +90,7 @@ std::vector<TornRegion> torn_regions(const garment::Garment& garment,
     const double area = geometry::flat_area(garment.triangle_uv[t]);
     Sum& sum = of_region[region];
     sum.area += area;
-    if (strain.warp > warp_bears || strain.weft > weft_bears) sum.torn += area;
+    if (is_torn(strain)) sum.torn += area;
     sum.warp = std::max(sum.warp, strain.warp);
     sum.weft = std::max(sum.weft, strain.weft);
   }
