@@ -28,6 +28,11 @@ class Certificate:
     worn: bool
     #: What speaks against it, a sentence each.
     worn_reasons: list[str]
+    #: Every opening lets pass what has to, without a fastening; None: not judged. `worn` does not
+    #: ask for it, since patterns do not tell fastenings.
+    can_be_put_on: Optional[bool]
+    #: Why not, or why it is not judged, a sentence each.
+    can_be_put_on_reasons: list[str]
     #: Norm of the net forces over that of the weights.
     residual: float
     #: Largest net force over the mean weight of a particle.

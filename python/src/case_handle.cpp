@@ -106,11 +106,13 @@ void write(Self self, const fs::path& folder, bool pictures, const py::object& p
   });
 }
 
-py::dict dict_of(const drape::Certificate& c) {
+py::dict dict_of(const drape::Certificate& c, const pipeline::PuttingOn& putting_on) {
   py::dict row;
   row["settled"] = c.settled();
   row["worn"] = c.worn();
   row["worn_reasons"] = c.worn_reasons;
+  row["can_be_put_on"] = putting_on.possible;
+  row["can_be_put_on_reasons"] = putting_on.reasons;
   row["residual"] = c.residual;
   row["residual_max"] = c.residual_max;
   row["intersections_body"] = c.intersections_body;
@@ -128,7 +130,7 @@ py::dict dict_of(const drape::Certificate& c) {
 py::list states(Self self) {
   py::list rows;
   for (const pipeline::CaseState& state : self.result->wear.states) {
-    py::dict row = dict_of(state.certificate());
+    py::dict row = dict_of(state.certificate(), self.result->putting_on);
     if (!state.draped()) row["worn"] = py::none();
     row["posture"] = state.name;
     row["donning"] = state.id.donning + 1;
@@ -162,7 +164,8 @@ void bind_case(py::module_& core) {
   py::class_<CaseHandle>(core, "Case")
       .def("scenario", [](Self self) { return io::scenario_toml(self.result->scenario); })
       .def("summary", [](Self self) { return pipeline::summary_json(*self.result); })
-      .def("certificate", [](Self self) { return dict_of(self.result->certificate()); })
+      .def("certificate",
+           [](Self self) { return dict_of(self.result->certificate(), self.result->putting_on); })
       .def("why",
            [](Self self) {
              const auto& unsettled = self.result->studied().drape.unsettled;

@@ -106,6 +106,8 @@ TEST_F(JsonOutput, RunsTellTheirVerdictAndDrawWithoutADisplay) {
   EXPECT_EQ(run["holds"], false);
   EXPECT_EQ(run["settled"], false);
   EXPECT_TRUE(run["worn"].is_boolean());
+  EXPECT_TRUE(run["can_be_put_on"].is_boolean());
+  EXPECT_EQ(run["can_be_put_on"] == false, !run["can_be_put_on_reasons"].empty());
   EXPECT_GT(run["residual"].get<double>(), 0);
   for (const Json& name : run["files"]) EXPECT_TRUE(fs::exists(base / "out" / name)) << name;
   EXPECT_TRUE(fs::exists(base / "out/maps/shear-front.png"));

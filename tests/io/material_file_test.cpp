@@ -14,6 +14,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/fabric/stress_curve.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "support/wool_sample.h"
@@ -397,6 +398,33 @@ TEST(MaterialFile, AnotherStiffnessIsNotValidAsFarAsThatOfTheCardWas) {
   EXPECT_GT(own("stiffness_weft = 900\n").valid_strain_warp, 0);
   EXPECT_EQ(own("stiffness_weft = 900\nvalid_strain_weft = 0.3\n").valid_strain_weft, 0.3);
   EXPECT_EQ(own("kes.EMT_weft = 6\n").valid_strain_weft, 0.06);
+}
+
+TEST(MaterialFile, AKnitStatesItsStretchAndAnotherStiffnessHasNone) {
+  const auto own = [](const std::string& text) {
+    return parse_scenario("[material]\nname = \"cotton-jersey\"\n" + text, "m.toml")
+        .studied()
+        .material.material;
+  };
+  for (const std::string name : {"cotton-jersey", "cotton-rib", "compression-knit"}) {
+    const fabric::Material knit = load_material(name).material;
+    EXPECT_GT(knit.stretch_weft, knit.valid_strain_weft) << name;
+    EXPECT_EQ(knit.gives_weft(), knit.stretch_weft) << name;
+  }
+  EXPECT_EQ(load_material("cotton-shirting").material.stretch_weft, 0) << "a woven";
+  EXPECT_EQ(own("stiffness_weft = 900\n").stretch_weft, 0);
+  EXPECT_GT(own("stiffness_weft = 900\n").stretch_warp, 0);
+  EXPECT_EQ(own("stiffness_weft = 900\nstretch_weft = 0.6\n").stretch_weft, 0.6);
+}
+
+// A resolved scenario gives the same cloth when it is read again.
+TEST(MaterialFile, TheStretchOfAKnitIsWrittenOutAndReadAgain) {
+  const scenario::Scenario first =
+      parse_scenario("[material]\nname = \"cotton-rib\"\nstretch_weft = 0.7\n", "m.toml");
+  const scenario::Scenario again = parse_scenario(scenario_toml(first), "again.toml");
+  EXPECT_EQ(again.studied().material.material.stretch_weft, 0.7);
+  EXPECT_EQ(again.studied().material.material.stretch_warp,
+            load_material("cotton-rib").material.stretch_warp);
 }
 
 }  // namespace

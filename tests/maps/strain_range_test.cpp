@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "support/wall_and_patch.h"
@@ -48,19 +50,57 @@ TEST(StrainRange, HalfOfThePatchBeyondIsHalfOfItsArea) {
   EXPECT_EQ(range.share_beyond, range.weft.share_beyond);
 }
 
-TEST(StrainRange, FarBeyondIsThreeTimesTheLimitOfAYarn) {
+/// The patch on a wall whose skin is of one region, strained as a whole.
+std::vector<TornRegion> torn(const garment::Garment& patch, double warp, double weft,
+                             const fabric::Material& material, double share = 1) {
+  Mat2 f;
+  f << 1 + weft, 0, 0, 1 + warp;
+  std::vector<Vec3> x;
+  double begin = HUGE_VAL, end = -HUGE_VAL;
+  for (const Vec2& uv : patch.vertex_uv) {
+    begin = std::min(begin, uv.x());
+    end = std::max(end, uv.x());
+  }
+  // Strained along the weft up to this share of its width, as cut beyond.
+  const double edge = begin + share * (end - begin);
+  for (const Vec2& uv : patch.vertex_uv) {
+    const double u = (1 + weft) * std::min(uv.x(), edge) + std::max(0.0, uv.x() - edge);
+    x.emplace_back(-u, 0.001, (1 + warp) * uv.y());
+  }
+  body::Body wall = testing::wall_body();
+  wall.segment.clear();  // a body without segments is one region
+  return torn_regions(patch, x, material, wall);
+}
+
+TEST(TornRegions, AreStrainedToTwiceTheRangeOrBeyondTheStretchOfAKnit) {
   const garment::Garment patch = testing::patch_garment(0.1, 0.01);
-  for (const auto& [warp, weft, share] :
-       {std::tuple{0.59, 0.0, 0.0}, {0.61, 0.0, 1.0}, {0.0, 0.89, 0.0}, {0.0, 0.91, 1.0}}) {
-    Mat2 f;
-    f << 1 + weft, 0, 0, 1 + warp;
-    const StrainRange range = strain_range(patch, stretched(patch, f, f), knit());
-    EXPECT_NEAR(range.share_far_beyond, share, 1e-12) << warp << " " << weft;
+  fabric::Material stretchy = knit();
+  stretchy.stretch_weft = 1;
+  for (const auto& [warp, weft, of_knit, of_stretchy] : {std::tuple{0.39, 0.0, false, false},
+                                                         {0.41, 0.0, true, true},
+                                                         {0.0, 0.59, false, false},
+                                                         {0.0, 0.61, true, false},
+                                                         {0.0, 0.99, true, false},
+                                                         {0.0, 1.01, true, true}}) {
+    EXPECT_EQ(torn(patch, warp, weft, knit()).size(), of_knit ? 1u : 0u) << warp << " " << weft;
+    EXPECT_EQ(torn(patch, warp, weft, stretchy).size(), of_stretchy ? 1u : 0u)
+        << warp << " " << weft;
   }
   // Of what a card does not state nothing is known.
-  Mat2 f;
-  f << 3, 0, 0, 3;
-  EXPECT_EQ(strain_range(patch, stretched(patch, f, f), fabric::Material{}).share_far_beyond, 0);
+  EXPECT_TRUE(torn(patch, 3, 3, {}).empty());
+}
+
+TEST(TornRegions, TakeHalfOfTheClothOfARegionAndMoreThanAFewTriangles) {
+  const garment::Garment patch = testing::patch_garment(0.1, 0.01),
+                         small = testing::patch_garment(0.04, 0.01);
+  EXPECT_TRUE(torn(patch, 0, 0.7, knit(), 0.4).empty());
+  const auto most = torn(patch, 0, 0.7, knit(), 0.7);
+  ASSERT_EQ(most.size(), 1u);
+  EXPECT_NEAR(most[0].share, 0.7, 0.1);
+  EXPECT_FALSE(most[0].is_warp);
+  EXPECT_NEAR(most[0].largest, 0.7, 1e-9);
+  EXPECT_NEAR(most[0].limit, 0.6, 1e-12);
+  EXPECT_TRUE(torn(small, 0, 0.7, knit()).empty()) << "16 cm²";
 }
 
 TEST(StrainRange, ShearIsTheAngleOfEitherSign) {

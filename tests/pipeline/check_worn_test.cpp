@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/drape/rims.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp_read.h"
@@ -85,23 +88,76 @@ bool warns(const CaseResult& result, const std::string& begin, const std::string
   });
 }
 
-TEST_F(CheckWorn, ClothStrainedFarBeyondItsCardIsNotWorn) {
+std::vector<std::string> reasons_of(const CaseResult& result, const std::vector<Vec3>& positions) {
+  drape::Drape drape = result.studied().drape;
+  drape.positions = positions;
+  return check_worn({drape}, result.garments, result.scenario, result.body.body)
+      .front()
+      .certificate.worn_reasons;
+}
+
+bool any_has(const std::vector<std::string>& reasons, const std::string& part) {
+  return std::any_of(reasons.begin(), reasons.end(), [&](const std::string& reason) {
+    return reason.find(part) != std::string::npos;
+  });
+}
+
+TEST_F(CheckWorn, ClothThatIsStrainedFarBeyondItsCardInARegionIsNotWorn) {
   const CaseResult result = tube(34, 56, 45, 60);
   ASSERT_EQ(result.certificate().worn_reasons, std::vector<std::string>{});
-  const double limit = result.scenario.studied().material.material.valid_strain_weft;
+  const double limit = result.scenario.studied().material.material.valid_strain_warp;
   ASSERT_GT(limit, 0);
-  const auto far_beyond = [&](double stretch) {
-    drape::Drape wide = result.studied().drape;
-    for (Vec3& p : wide.positions) p.head<2>() *= 1 + stretch;
-    const auto judged =
-        check_worn({wide}, result.garments, result.scenario, result.body.body).front();
-    const std::vector<std::string>& reasons = judged.certificate.worn_reasons;
-    return std::any_of(reasons.begin(), reasons.end(), [](const std::string& reason) {
-      return reason.find("nobody would get into it") != std::string::npos;
-    });
+  // The lower half is drawn out downwards; its rims keep their length.
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Vec3& p : result.studied().drape.positions)
+    low = std::min(low, p.z()), high = std::max(high, p.z());
+  const auto drawn_out = [&](double stretch) {
+    std::vector<Vec3> x = result.studied().drape.positions;
+    for (Vec3& p : x) p.z() += stretch * std::min(0.0, p.z() - 0.5 * (low + high));
+    return reasons_of(result, x);
   };
-  EXPECT_FALSE(far_beyond(2 * limit));
-  EXPECT_TRUE(far_beyond(4 * limit));
+  EXPECT_FALSE(any_has(drawn_out(1.5 * limit), "strained beyond"));
+  const auto reasons = drawn_out(3 * limit);
+  EXPECT_TRUE(any_has(reasons, "of the cloth at thigh_")) << join(reasons, "; ");
+  EXPECT_FALSE(any_has(reasons, "of the cloth at abdomen")) << join(reasons, "; ");
+}
+
+// A small part of the whole, which half of its area would never tell.
+TEST_F(CheckWorn, ARimThatIsStretchedBeyondItsClothIsNotWornAndIsNamed) {
+  const CaseResult result = tube(34, 56, 45, 60);
+  const double limit = result.scenario.studied().material.material.valid_strain_weft;
+  const auto rims = drape::garment_rims(result.studied().mesh(), result.studied().pattern.pattern,
+                                        result.body.body);
+  ASSERT_EQ(rims.size(), 2u);
+  for (const drape::Rim& rim : rims)
+    for (const double stretch : {0.5 * limit, 1.5 * limit}) {
+      // The rim alone is widened about its middle to a length of its own.
+      std::vector<Vec3> x = result.studied().drape.positions;
+      Vec3 middle = Vec3::Zero();
+      for (const int v : rim.opening.loop)
+        middle += x[v] / static_cast<double>(rim.opening.loop.size());
+      const double factor = (1 + stretch) * rim.cut() / rim.length(x);
+      for (const int v : rim.opening.loop) x[v] = middle + factor * (x[v] - middle);
+      const auto reasons = reasons_of(result, x);
+      EXPECT_EQ(any_has(reasons, rim.name + " is stretched to"), stretch > limit)
+          << rim.name << ": " << join(reasons, "; ");
+    }
+}
+
+TEST_F(CheckWorn, ASkirtThatPassesNeitherHipsNorChestNeedsAFasteningAndIsWorn) {
+  const CaseResult narrow = tube(34, 56, 45, 60);  // 0.68 m at the waist
+  EXPECT_EQ(narrow.putting_on.possible, false);
+  EXPECT_TRUE(narrow.certificate().worn());
+  EXPECT_TRUE(warns(narrow, "fit: cannot be put on without a fastening: the waist opens to", ""));
+  store(narrow);
+  const auto summary =
+      nlohmann::json::parse(io::read_text_file((folder_ / "summary.json").string(), 50000000));
+  EXPECT_EQ(summary["can_be_put_on"], false);
+  EXPECT_EQ(summary["can_be_put_on_reasons"].size(), 1u);
+  Progress silent;
+  const CaseResult again = load_case(folder_, silent);
+  EXPECT_EQ(again.putting_on.possible, false);
+  EXPECT_EQ(again.putting_on.reasons, narrow.putting_on.reasons);
 }
 
 TEST_F(CheckWorn, AWaistThatHasRisenIsToldOfPosturesAndOfGarmentsUnderOthers) {

@@ -70,6 +70,8 @@ class SmallRun(unittest.TestCase):
         self.assertTrue(certificate.settled and certificate.worn and certificate.holds)
         self.assertFalse(self.result.sealed)
         self.assertEqual(certificate.intersections_body, 0)
+        self.assertEqual(certificate.can_be_put_on, self.result.summary["can_be_put_on"])
+        self.assertEqual(certificate.can_be_put_on is False, bool(certificate.can_be_put_on_reasons))
         self.assertEqual(certificate.residual, self.result.summary["residual"])
 
     def test_shapes_and_frames(self):

@@ -25,6 +25,7 @@ constexpr double kAlike = 0.25;       ///< relative difference of girth between 
 constexpr double kWidestLimb = 0.67;  ///< of the widest cape's girth: wider tubes are for no limb
 constexpr double kAtShoulder = 0.15;  ///< of the garment's height: an armhole ends so near its top
 constexpr double kOpenFront = 0.6;    ///< of the garment's height, over which an open front runs
+constexpr double kUsualChest = 0.55;  ///< of the stature, where the body does not tell
 
 struct Pair {
   int left, right;
@@ -337,6 +338,21 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
   for (const Vec3& p : placed) box.extend(p);
   if (tell_by_kind(openings, garment, pattern)) return openings;
   for (const auto& [root, of] : of_piece) Uses(openings, of, placed, box).tell(labels);
+  return openings;
+}
+
+double chest_girth(const body::Body& body, const RestLevels& levels) {
+  const auto chest = body.measured.find("chest");
+  return chest != body.measured.end() ? chest->second : kUsualChest * levels.height;
+}
+
+std::vector<Opening> garment_openings(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const body::Body& body,
+                                      const RestLevels& levels) {
+  std::vector<Opening> openings = garment_openings(garment, pattern);
+  if (!limb_lines(body)[kHead].empty())
+    tell_tubes(openings, placed_by_pattern(garment, pattern), limb_lines(levels.joints()),
+               kForTheWaist * chest_girth(body, levels));
   return openings;
 }
 

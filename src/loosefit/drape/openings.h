@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "loosefit/drape/limb_lines.h"
+#include "loosefit/drape/rest_levels.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/kinds/opening_use.h"
 #include "loosefit/pattern/pattern.h"
@@ -52,6 +53,17 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
 /// another wearer: what goes through both ends. Labels of edges come before.
 void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
                 const LimbLines& lines, double cape);
+
+/// Chest girth of a wearer [m]: as measured, else by its usual share of the stature.
+double chest_girth(const body::Body& body, const RestLevels& levels);
+
+/// Of the chest's girth, tubes that were not made for the chest.
+inline constexpr double kForTheWaist = 0.9;
+
+/// garment_openings with tell_tubes of this wearer, whose levels these are.
+std::vector<Opening> garment_openings(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const body::Body& body,
+                                      const RestLevels& levels);
 
 /// Vertices where the pattern places the pieces, seams at the mean of their sides [m]. Empty when
 /// the pattern lacks a piece.

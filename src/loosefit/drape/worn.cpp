@@ -24,7 +24,6 @@ constexpr double kLowest = 0.75;      ///< of waist to crotch, below which no wa
 constexpr double kRise = 1.0;         ///< of waist to crotch, that it may lie too high
 constexpr double kHighest = 0.75;     ///< of waist to crotch, above the waist: below the bust
 constexpr double kGone = 1.0;         ///< of waist to crotch, that an unknown opening may sink
-constexpr double kForTheWaist = 0.9;  ///< of the chest's girth, what was not made for the chest
 constexpr double kTouch = 0.010;      ///< [m]
 constexpr double kShoulder = 0.12;    ///< of stature, armhole to shoulder joint
 constexpr double kNeck = 0.88;        ///< of stature, above which no garment of a wearer begins
@@ -43,19 +42,16 @@ class Verdict {
         body_(body),
         lines_(limb_lines(body)),
         levels_(body),
-        way_(levels_.waist - levels_.crotch) {
-    const auto chest = body->measured.find("chest");
-    chest_girth_ = chest != body->measured.end() ? chest->second : 0.55 * levels_.height;
-  }
+        way_(levels_.waist - levels_.crotch),
+        chest_girth_(chest_girth(body, levels_)) {}
 
   std::vector<std::string> reasons(bool over_others) {
     if (!over_others && !touches()) say("the garment touches the body nowhere");
     if (lines_[kHead].empty()) return reasons_;
     placed_ = placed_by_pattern(garment_, pattern_);
-    openings_ = garment_openings(garment_, pattern_);
-    std::vector<Opening>& openings = openings_;
+    openings_ = garment_openings(garment_, pattern_, body_, levels_);
+    const std::vector<Opening>& openings = openings_;
     at_rest_ = limb_lines(levels_.joints());
-    tell_tubes(openings, placed_, at_rest_, kForTheWaist * chest_girth_);
     std::map<int, std::vector<const Opening*>> of_piece;
     for (const Opening& opening : openings) {
       check(opening);
@@ -459,7 +455,7 @@ class Verdict {
   LimbLines lines_, at_rest_;  ///< of the wearer, and standing upright
   RestLevels levels_;
   double way_;  ///< from waist down to crotch [m]
-  double chest_girth_ = 0;
+  double chest_girth_;
   LimbNumbers round_{};  ///< what the opening that was asked last goes round
   std::vector<std::string> reasons_, risen_;
 };

@@ -36,6 +36,13 @@ struct Material {
   /// Largest elongation λ − 1 [–] and shear angle [rad] up to which the constants and curves of the
   /// plane stand for what was measured; beyond, they are extrapolated. 0: not stated.
   double valid_strain_warp = 0, valid_strain_weft = 0, valid_shear = 0;
+  /// Elongation λ − 1 to which a hand pulls the cloth and it comes back [–]: the stretch of a knit
+  /// as drafting states it. The constants may stand for less. 0: not stated.
+  double stretch_warp = 0, stretch_weft = 0;
+
+  /// Elongation up to which the cloth is known to give [–]; 0: nothing is stated.
+  double gives_warp() const { return std::max(valid_strain_warp, stretch_warp); }
+  double gives_weft() const { return std::max(valid_strain_weft, stretch_weft); }
 };
 
 /// Stiffness ratio in compression of cloth that lies in gathers finer than the mesh. Small against

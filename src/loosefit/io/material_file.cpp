@@ -87,8 +87,8 @@ bool same_curve(const std::vector<fabric::CurvePoint>& a,
 }
 
 /// A curve is valid up to its last point, and the secant to EMT up to EMT, unless the table says
-/// otherwise; another law in place of that of `before` without a range of its own has none. Adds to
-/// `set` what was found.
+/// otherwise; another law in place of that of `before` without a range of its own has none, nor the
+/// stretch of `before`. Adds to `set` what was found.
 void find_valid_strains(const fabric::Material& before, scenario::MaterialCard& card,
                         std::set<std::string>& set) {
   fabric::Material& m = card.material;
@@ -96,20 +96,28 @@ void find_valid_strains(const fabric::Material& before, scenario::MaterialCard& 
     const char* stiffness;
     const char* key;
     double fabric::Material::*value;
+    const char* stretch_key;
+    double fabric::Material::*stretch;
     double fabric::Material::*law;
     std::vector<fabric::CurvePoint> fabric::Material::*curve;
     const char* emt;
     bool shear;
   };
   using M = fabric::Material;
-  const Direction directions[] = {{"stiffness_warp", "valid_strain_warp", &M::valid_strain_warp,
-                                   &M::stiffness_warp, &M::curve_warp, "EMT_warp", false},
-                                  {"stiffness_weft", "valid_strain_weft", &M::valid_strain_weft,
-                                   &M::stiffness_weft, &M::curve_weft, "EMT_weft", false},
-                                  {"stiffness_shear", "valid_shear", &M::valid_shear,
-                                   &M::stiffness_shear, &M::curve_shear, "", true}};
+  const Direction directions[] = {
+      {"stiffness_warp", "valid_strain_warp", &M::valid_strain_warp, "stretch_warp",
+       &M::stretch_warp, &M::stiffness_warp, &M::curve_warp, "EMT_warp", false},
+      {"stiffness_weft", "valid_strain_weft", &M::valid_strain_weft, "stretch_weft",
+       &M::stretch_weft, &M::stiffness_weft, &M::curve_weft, "EMT_weft", false},
+      {"stiffness_shear", "valid_shear", &M::valid_shear, "", nullptr, &M::stiffness_shear,
+       &M::curve_shear, "", true}};
   for (const Direction& d : directions) {
     const auto& curve = m.*d.curve;
+    const bool same = m.*d.law == before.*d.law && same_curve(curve, before.*d.curve);
+    if (d.stretch && !same && !set.count(d.stretch_key)) {
+      m.*d.stretch = 0;
+      card.stated.erase(d.stretch_key);
+    }
     // What the law itself says of its range.
     double found = 0;
     std::string how;
@@ -127,7 +135,6 @@ void find_valid_strains(const fabric::Material& before, scenario::MaterialCard& 
       if (found > 0 && m.*d.value == found) card.how[d.key] = how;
       continue;
     }
-    const bool same = m.*d.law == before.*d.law && same_curve(curve, before.*d.curve);
     if (!set.count(d.stiffness) || (same && before.*d.value > 0)) continue;
     m.*d.value = found;
     card.how.erase(d.key);
@@ -254,8 +261,23 @@ const std::vector<MaterialConstant>& material_constants() {
        {1e-4, 1.5, "rad"},
        false,
        "largest trellis shear angle for which the constants hold"},
+      {"stretch_warp",
+       &fabric::Material::stretch_warp,
+       {1e-4, 10, "a number"},
+       false,
+       "elongation along the grain to which a hand pulls it without harm, of a knit"},
+      {"stretch_weft",
+       &fabric::Material::stretch_weft,
+       {1e-4, 10, "a number"},
+       false,
+       "the same across the grain"},
   };
   return kTable;
+}
+
+bool may_be_unstated(const MaterialConstant& constant) {
+  const std::string key = constant.key;
+  return key.starts_with("valid_") || key.starts_with("stretch_");
 }
 
 std::vector<std::string> material_names() {
@@ -340,7 +362,7 @@ std::string material_toml(const fabric::Material& material) {
            (value == &fabric::Material::stiffness_shear && !material.curve_shear.empty());
   };
   const auto is_unstated = [&](const MaterialConstant& c) {
-    return std::string(c.key).starts_with("valid_") && material.*c.value == 0;
+    return may_be_unstated(c) && material.*c.value == 0;
   };
   for (const MaterialConstant& c : material_constants())
     if (!has_curve(c.value) && !is_unstated(c))

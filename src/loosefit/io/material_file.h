@@ -19,6 +19,8 @@ struct MaterialConstant {
 };
 /// In the order of the cards.
 const std::vector<MaterialConstant>& material_constants();
+/// Whether a card may leave it unstated: how far the cloth was measured, and how far it stretches.
+bool may_be_unstated(const MaterialConstant& constant);
 
 /// Names of the shipped cards (data/materials/NAME.toml), sorted.
 std::vector<std::string> material_names();

@@ -90,7 +90,7 @@ void read_own_constants(ConfigReader& table, scenario::MaterialCard& card) {
       table.choices("given", {}, material_keys(),
                     "of a resolved scenario: the constants that the scenario itself gave");
   const bool has_all = std::ranges::all_of(material_constants(), [&](const MaterialConstant& c) {
-    return set.count(c.key) || std::string(c.key).starts_with("valid_");  // later than the others
+    return set.count(c.key) || may_be_unstated(c);  // later than the others
   });
   const bool resolved = table.has("given") || (has_all && own.title.empty() && own.source.empty());
   for (const MaterialConstant& c : material_constants()) {

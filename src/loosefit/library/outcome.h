@@ -38,13 +38,15 @@ struct Garment {
 /// Whether the drape counts, and why not (docs/theory/solver.md).
 struct Verdict {
   bool settled = false, worn = false;
-  bool holds = false;            ///< settled and worn: maps are made without asking
-  std::optional<bool> stable;    ///< a minimum of the energy; nothing: not tested
-  double residual = 1;           ///< net force over weight of the cloth [–]
-  int intersections_body = -1;   ///< exact test; -1: not tested
-  int intersections_self = -1;   ///< the same
-  std::string stop_reason;       ///< "converged", "iteration limit", …
+  bool holds = false;                     ///< settled and worn: maps are made without asking
+  std::optional<bool> stable;             ///< a minimum of the energy; nothing: not tested
+  double residual = 1;                    ///< net force over weight of the cloth [–]
+  int intersections_body = -1;            ///< exact test; -1: not tested
+  int intersections_self = -1;            ///< the same
+  std::string stop_reason;                ///< "converged", "iteration limit", …
   std::vector<std::string> worn_reasons;  ///< why it is not worn
+  std::optional<bool> can_be_put_on;      ///< without a fastening; nothing: not judged
+  std::vector<std::string> can_be_put_on_reasons;  ///< why not, or why it is not judged
 };
 
 /// All of one run.

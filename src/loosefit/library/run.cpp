@@ -28,7 +28,8 @@ Garment garment_of(pipeline::CaseGarment&& from) {
   return garment;
 }
 
-Verdict verdict_of(const drape::Certificate& certificate) {
+Verdict verdict_of(const pipeline::CaseResult& result) {
+  const drape::Certificate& certificate = result.certificate();
   Verdict verdict;
   verdict.settled = certificate.settled();
   verdict.worn = certificate.worn();
@@ -39,6 +40,8 @@ Verdict verdict_of(const drape::Certificate& certificate) {
   verdict.intersections_self = certificate.intersections_self;
   verdict.stop_reason = certificate.stop_reason;
   verdict.worn_reasons = certificate.worn_reasons;
+  verdict.can_be_put_on = result.putting_on.possible;
+  verdict.can_be_put_on_reasons = result.putting_on.reasons;
   return verdict;
 }
 
@@ -49,7 +52,7 @@ Outcome run_scenario(const scenario::Scenario& scenario, const RunSettings& sett
       {.allow_unsettled = settings.allow_unsettled, .only_drape = settings.only_drape});
   Outcome outcome;
   outcome.summary_json = pipeline::summary_json(result);
-  outcome.verdict = verdict_of(result.certificate());
+  outcome.verdict = verdict_of(result);
   const geometry::TriangleMesh& skin = result.body.body->surface;
   outcome.body = surface_of(skin.vertices, skin.triangles);
   for (pipeline::CaseGarment& garment : result.garments)

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
+#include "loosefit/body/regions.h"
 #include "loosefit/maps/borne_strain.h"
 #include "loosefit/maps/definitions/trellis_shear.h"
 #include "loosefit/maps/strain.h"
@@ -18,8 +21,13 @@ bool add(DirectionRange& range, double value, double area) {
   return beyond;
 }
 
-bool is_far_beyond(const DirectionRange& range, double value) {
-  return range.is_stated() && value > kFarBeyond * range.limit;
+constexpr double kTornShare = 0.5;   ///< of the cloth of a region
+constexpr double kTornArea = 20e-4;  ///< [m²], that no single bad triangle makes up
+
+/// Strain that no cloth bears; infinite where nothing is stated.
+double bears(double valid, double stretch) {
+  const double most = std::max(kFarBeyond * valid, stretch);
+  return most > 0 ? most : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -41,14 +49,60 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
     const bool warp = add(range.warp, strain.warp, area), weft = add(range.weft, strain.weft, area);
     if (add(range.shear, std::abs(trellis_shear(f)), area) || warp || weft)
       range.share_beyond += area;
-    if (is_far_beyond(range.warp, strain.warp) || is_far_beyond(range.weft, strain.weft))
-      range.share_far_beyond += area;
   }
   if (total > 0)
     for (double* share : {&range.warp.share_beyond, &range.weft.share_beyond,
-                          &range.shear.share_beyond, &range.share_beyond, &range.share_far_beyond})
+                          &range.shear.share_beyond, &range.share_beyond})
       *share /= total;
   return range;
+}
+
+std::vector<TornRegion> torn_regions(const garment::Garment& garment,
+                                     const std::vector<Vec3>& positions,
+                                     const fabric::Material& material,
+                                     const body::PosedBody& body) {
+  const double warp_bears = bears(material.valid_strain_warp, material.stretch_warp),
+               weft_bears = bears(material.valid_strain_weft, material.stretch_weft);
+  const auto is_torn = [&](const TriangleStrain& strain) {
+    return strain.warp > warp_bears || strain.weft > weft_bears;
+  };
+  std::vector<TriangleStrain> strains;
+  double torn_area = 0;
+  for (const geometry::DeformationGradient& f : borne_gradients(garment, positions)) {
+    if (is_torn(strains.emplace_back(triangle_strain(f))))
+      torn_area += geometry::flat_area(garment.triangle_uv[strains.size() - 1]);
+  }
+  if (torn_area <= kTornArea) return {};  // most garments: the skin need not be asked
+
+  struct Sum {
+    double area = 0, torn = 0, warp = 0, weft = 0;
+  };
+  std::map<int, Sum> of_region;
+  const bool parted = body->segment.size() == body->surface.vertices.size();
+  for (std::size_t t = 0; t < strains.size(); ++t) {
+    const TriangleStrain& strain = strains[t];
+    if (!std::isfinite(strain.warp)) continue;  // no flat area
+    const Triangle& c = garment.triangles[t];
+    const Vec3 middle = (positions[c[0]] + positions[c[1]] + positions[c[2]]) / 3;
+    const int region = parted ? static_cast<int>(body::region_of(body.regions(), body->surface,
+                                                                 body.tree().query(middle)))
+                              : -1;
+    const double area = geometry::flat_area(garment.triangle_uv[t]);
+    Sum& sum = of_region[region];
+    sum.area += area;
+    if (is_torn(strain)) sum.torn += area;
+    sum.warp = std::max(sum.warp, strain.warp);
+    sum.weft = std::max(sum.weft, strain.weft);
+  }
+  std::vector<TornRegion> torn;
+  for (const auto& [region, sum] : of_region) {
+    if (sum.torn <= kTornShare * sum.area || sum.torn <= kTornArea) continue;
+    const bool warp = sum.warp / warp_bears > sum.weft / weft_bears;
+    torn.push_back({region < 0 ? "the body" : body::name(static_cast<body::Region>(region)),
+                    sum.torn / sum.area, warp, warp ? sum.warp : sum.weft,
+                    warp ? warp_bears : weft_bears});
+  }
+  return torn;
 }
 
 }  // namespace loosefit::maps

@@ -1,6 +1,8 @@
 #pragma once
+#include <string>
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/fabric/material.h"
 #include "loosefit/garment/garment.h"
 
@@ -15,10 +17,6 @@ struct DirectionRange {
   bool is_stated() const { return limit > 0; }
 };
 
-/// So many times the range over which a law was measured it is no law any more [–]; knits are some
-/// ten times stiffer there already, wovens have torn. A choice.
-inline constexpr double kFarBeyond = 3;
-
 /// Of warp, weft and trellis shear. Beyond its range a law is extrapolated: a knit is stiffer there
 /// by a factor, a woven breaks.
 struct StrainRange {
@@ -26,11 +24,28 @@ struct StrainRange {
 
   /// Share of the flat area beyond any of the stated limits [–].
   double share_beyond = 0;
-  /// Share of the flat area of which warp or weft is beyond kFarBeyond times its stated limit [–].
-  double share_far_beyond = 0;
 };
 
 StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3>& positions,
                          const fabric::Material& material);
+
+/// So many times the range over which a law was measured it is no law any more [–]: wovens have
+/// torn, and knits are some ten times stiffer there. A choice.
+inline constexpr double kFarBeyond = 2;
+
+/// A torn region: a place of the wearer where cloth is strained so far that it would tear.
+struct TornRegion {
+  std::string name;               ///< of the region (body/regions.h)
+  double share = 0;               ///< of the cloth there [–]
+  bool is_warp = false;           ///< the direction that is farther beyond its limit
+  double largest = 0, limit = 0;  ///< its largest strain there, and what it bears [–]
+};
+
+/// Regions of the body where more than half of the cloth, and more than 20 cm² of it, is strained
+/// along warp or weft beyond kFarBeyond times the stated range, and beyond the stated stretch of a
+/// knit. In the order of the regions. A body without segments is one region.
+std::vector<TornRegion> torn_regions(const garment::Garment& garment,
+                                     const std::vector<Vec3>& positions,
+                                     const fabric::Material& material, const body::PosedBody& body);
 
 }  // namespace loosefit::maps

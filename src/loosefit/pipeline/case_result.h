@@ -51,6 +51,12 @@ struct CaseRepeats {
   std::vector<std::string> warnings;
 };
 
+/// Whether somebody gets into the garments as they are cut.
+struct PuttingOn {
+  std::optional<bool> possible;      ///< false: a fastening is needed; absent: not judged
+  std::vector<std::string> reasons;  ///< why not, and what was not judged (drape/putting_on.h)
+};
+
 /// Stage "maps".
 struct MapStage {
   std::vector<CaseMaps> garments;  ///< as CaseResult::garments
@@ -100,6 +106,7 @@ struct CaseResult {
   scenario::Scenario scenario;
   CaseBody body;
   std::vector<CaseGarment> garments{1};  ///< the innermost first; the last one is studied
+  PuttingOn putting_on;
   CaseWear wear;
   std::vector<placement::Site> sites;  ///< on the studied garment
   std::vector<placement::UncoveredSite> uncovered_sites;

@@ -230,6 +230,15 @@ void add_fit(Lines& all, const CaseResult& result) {
   }
 }
 
+/// Of a body without joints the certificate says that nothing was asked.
+void add_putting_on(Lines& all, const CaseResult& result) {
+  const PuttingOn& on = result.putting_on;
+  if (on.possible == true || on.reasons.empty() || result.body.body->joints.empty()) return;
+  all.push_back((on.possible ? "fit: cannot be put on without a fastening: "
+                             : "fit: whether it can be put on is not judged: ") +
+                join(on.reasons, "; "));
+}
+
 /// Drapes that differ in nothing that is drawn have no spread.
 Lines alike_warnings(const scenario::Scenario& scenario) {
   const scenario::ScenarioDonning& d = scenario.donning;
@@ -287,6 +296,7 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   add_passing_skin(all, result);
   add_garments(all, result);
   add_fit(all, result);
+  add_putting_on(all, result);
   for (const placement::UncoveredSite& site : result.uncovered_sites)
     if (!site.preset)
       all.push_back("placement: site " + site.name + " is not covered by the garment: " + site.why);

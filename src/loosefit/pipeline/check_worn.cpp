@@ -3,48 +3,50 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
+#include "loosefit/drape/putting_on.h"
 #include "loosefit/drape/worn.h"
 #include "loosefit/maps/strain_range.h"
 
 namespace loosefit::pipeline {
 namespace {
 
-constexpr double kOverstrained = 0.5;  ///< of the area, from which on cloth is torn, not worn
-
-/// Why nobody would get into a garment; nothing where somebody would.
-std::vector<std::string> overstrained(const garment::Garment& mesh, const drape::Drape& drape,
-                                      const fabric::Material& material) {
-  const maps::StrainRange range = maps::strain_range(mesh, drape.positions, material);
-  if (range.share_far_beyond <= kOverstrained) return {};
-  const auto limit = [&](const maps::DirectionRange& d) {
-    return d.limit > 0 ? d.largest / d.limit : 0;
-  };
-  const bool warp = limit(range.warp) > limit(range.weft);
-  const maps::DirectionRange& most = warp ? range.warp : range.weft;
-  return {fmt::format(
-      "{:.0f} % of the cloth is strained to more than {:g} times what {} was measured for "
-      "({} up to {:.0f} % where {:.3g} % are stated): it would tear, or nobody would get into it",
-      100 * range.share_far_beyond, maps::kFarBeyond, printable(material.name),
-      warp ? "warp" : "weft", 100 * most.largest, 100 * most.limit)};
+/// Where a garment would tear, or nobody would get into it; nothing where neither is so.
+std::vector<std::string> overstrained(const garment::Garment& mesh, const pattern::Pattern& pattern,
+                                      const std::vector<Vec3>& positions,
+                                      const fabric::Material& material,
+                                      const body::PosedBody& body) {
+  std::vector<std::string> found =
+      drape::overstretched_rims(drape::garment_rims(mesh, pattern, body), positions, material);
+  for (const maps::TornRegion& torn : maps::torn_regions(mesh, positions, material, body))
+    found.push_back(fmt::format(
+        "{:.0f} % of the cloth at {} is strained beyond what {} bears ({} up to {:.0f} % where it "
+        "bears {:.3g} %): it would tear, or nobody would get into it",
+        100 * torn.share, torn.name, printable(material.name), torn.is_warp ? "warp" : "weft",
+        100 * torn.largest, 100 * torn.limit));
+  return found;
 }
 
-/// Of all garments; those of a garment under the studied one with its number and name.
+/// What is said of a garment, with its number and name where it is under the studied one.
+std::string of_garment(const std::string& said, std::size_t g,
+                       const std::vector<CaseGarment>& garments) {
+  if (g + 1 == garments.size()) return said;
+  return fmt::format("under {} ({}): {}", g + 1, printable(garments[g].pattern.pattern.name), said);
+}
+
+/// Of all garments.
 std::vector<std::string> reasons(const std::vector<drape::Drape>& drapes,
                                  const std::vector<CaseGarment>& garments,
                                  const scenario::Scenario& scenario, const body::PosedBody& body) {
   std::vector<std::string> all;
   for (std::size_t g = 0; g < garments.size(); ++g) {
     const pattern::Pattern& pattern = garments[g].pattern.pattern;
-    const bool studied = g + 1 == garments.size(), over_others = g > 0;
+    const bool over_others = g > 0;
     std::vector<std::string> own =
         drape::why_not_worn(garments[g].mesh(), pattern, drapes[g].positions, body, over_others);
-    for (const std::string& reason :
-         overstrained(garments[g].mesh(), drapes[g], scenario.garments[g].material.material))
+    for (const std::string& reason : overstrained(garments[g].mesh(), pattern, drapes[g].positions,
+                                                  scenario.garments[g].material.material, body))
       own.push_back(reason);
-    for (const std::string& reason : own)
-      all.push_back(studied
-                        ? reason
-                        : fmt::format("under {} ({}): {}", g + 1, printable(pattern.name), reason));
+    for (const std::string& reason : own) all.push_back(of_garment(reason, g, garments));
   }
   return all;
 }
@@ -84,6 +86,30 @@ std::vector<drape::Drape> check_worn(std::vector<drape::Drape> drapes, const bod
     found.push_back(
         "a limb or the trunk has left the opening it went through, or gone through the cloth");
   return with_reasons(std::move(drapes), found);
+}
+
+PuttingOn judge_putting_on(const std::vector<CaseGarment>& garments,
+                           const scenario::Scenario& scenario, const body::PosedBody& body) {
+  const body::PassingGirths girths = body::passing_girths(body);
+  PuttingOn all{.possible = true, .reasons = {}};
+  for (std::size_t g = 0; g < garments.size(); ++g) {
+    const pattern::Pattern& pattern = garments[g].pattern.pattern;
+    const drape::PuttingOn one =
+        drape::putting_on(drape::garment_rims(garments[g].mesh(), pattern, body), girths,
+                          scenario.garments[g].material.material);
+    const std::optional<bool> possible = one.possible();
+    if (possible == false || (all.possible == true && !possible)) all.possible = possible;
+    for (const std::string& reason : one.reasons())
+      all.reasons.push_back(of_garment(reason, g, garments));
+  }
+  return all;
+}
+
+std::string putting_on_verdict(const PuttingOn& putting_on) {
+  if (putting_on.possible == true) return "yes";
+  if (putting_on.reasons.empty()) return "not asked";
+  return (putting_on.possible ? "not without a fastening: " : "not judged: ") +
+         join(putting_on.reasons, "; ");
 }
 
 std::string what_worn_says(const CaseResult& result) {

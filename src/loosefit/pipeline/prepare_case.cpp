@@ -1,7 +1,8 @@
 #include "loosefit/pipeline/prepare_case.h"
 
-#include "loosefit/pipeline/case_sewn_parts.h"
 #include "loosefit/pipeline/case_lines.h"
+#include "loosefit/pipeline/case_sewn_parts.h"
+#include "loosefit/pipeline/check_worn.h"
 #include "loosefit/pipeline/garment_layers.h"
 
 namespace loosefit::pipeline {
@@ -22,6 +23,7 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   result.scenario.sites = std::move(sewn.sites);
   progress.stage("garment");  // after the stages of a first, coarse drape
   result.garments = mesh_garments(scenario, patterns, sewn.attachments);
+  result.putting_on = judge_putting_on(result.garments, scenario, result.body.body);
   placement::check_sites(result.studied().mesh(), result.body.body,
                          scenario.sites);  // before the long part
   check_lines(result);

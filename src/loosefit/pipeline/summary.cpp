@@ -359,6 +359,9 @@ Json certificate_json(const CaseResult& result) {
   json["settled"] = certificate.settled();
   json["worn"] = certificate.worn();
   json["worn_reasons"] = certificate.worn_reasons;
+  json["can_be_put_on"] =
+      result.putting_on.possible ? Json(*result.putting_on.possible) : Json(nullptr);
+  json["can_be_put_on_reasons"] = result.putting_on.reasons;
   json["sealed"] = result.sealed();
   json["residual"] = certificate.residual;
   json["residual_max"] = certificate.residual_max;

@@ -27,6 +27,7 @@ Json files_of_run(const std::string& folder) {
 
 std::string run_document(const FolderOutput& made, const std::string& folder) {
   const drape::Certificate& certificate = made.result.certificate();
+  const pipeline::PuttingOn& putting_on = made.result.putting_on;
   const Json files = files_of_run(folder);
   const auto path_if_there = [&](const char* name) {
     for (const Json& file : files)
@@ -41,6 +42,8 @@ std::string run_document(const FolderOutput& made, const std::string& folder) {
        {"settled", certificate.settled()},
        {"worn", certificate.worn()},
        {"worn_reasons", certificate.worn_reasons},
+       {"can_be_put_on", putting_on.possible ? Json(*putting_on.possible) : Json(nullptr)},
+       {"can_be_put_on_reasons", putting_on.reasons},
        {"stable", certificate.stable ? Json(*certificate.stable) : Json(nullptr)},
        {"grade", certificate.settled() ? Json(solver::name(certificate.grade())) : Json(nullptr)},
        {"residual", certificate.residual},

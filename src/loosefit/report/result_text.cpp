@@ -31,6 +31,7 @@ std::string certificate_text(const pipeline::CaseResult& result) {
     text += fmt::format("NOT WORN: {}\n", terminal_line(join(certificate.worn_reasons, "; ")));
   else
     text += "worn: " + pipeline::what_worn_says(result) + "\n";
+  text += "can be put on: " + terminal_line(pipeline::putting_on_verdict(result.putting_on)) + "\n";
   if (const auto& unsettled = result.studied().drape.unsettled)
     text += fmt::format("because {}\nhint: {}\n", terminal_line(unsettled->why),
                         terminal_line(unsettled->hint));

@@ -117,6 +117,7 @@ std::string certificate_section(const pipeline::CaseResult& result) {
            : fact("of these, between garments", "crossings", count_text(c.intersections_layers))) +
       fact("stopped:", "stopped", c.stop_reason) +
       fact("worn:", "worn", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
+  facts += fact("can be put on:", "can-be-put-on", pipeline::putting_on_verdict(result.putting_on));
   if (settling.total().iterations > 0)
     facts += fact("iterations", "iterations", std::to_string(settling.total().iterations));
   // Green or red box, and below it how the force fell.
