@@ -91,7 +91,7 @@ scenario::Scenario parse_scenario(const std::string& text, const std::string& fi
 }
 
 scenario::Scenario read_scenario(const std::string& path) {
-  return parse_scenario(read_text_file(path, 1000000), path);
+  return parse_scenario(read_plain_text(path, 1000000), path);
 }
 
 scenario::Scenario default_scenario() { return parse_scenario("", ""); }

@@ -164,7 +164,7 @@ placement::Scorecard load_scorecard(const std::string& name_or_path, bool of_lin
 }
 
 placement::Scorecard read_scorecard_file(const std::filesystem::path& path) {
-  return parse_scorecard(read_text_file(path.string(), kMaxBytes), path.string());
+  return parse_scorecard(read_plain_text(path.string(), kMaxBytes), path.string());
 }
 
 placement::Scorecard parse_scorecard(const std::string& text, const std::string& file) {

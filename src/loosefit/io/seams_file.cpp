@@ -234,7 +234,7 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
 }
 
 void read_seams(const std::filesystem::path& path, PatternFile& into) {
-  parse_seams(read_text_file(path.string(), kLargestFile), path.string(), into);
+  parse_seams(read_plain_text(path.string(), kLargestFile), path.string(), into);
 }
 
 std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals) {

@@ -5,7 +5,7 @@
 
 namespace loosefit::io {
 
-/// Parses TOML 1.0. `file` only appears in messages.
+/// Parses TOML 1.0, in UTF-16 as well (io/text_encoding.h). `file` only appears in messages.
 /// \throws InvalidInput with file and line for anything that is not TOML, for input above 1 MB and
 /// for nesting deeper than 32.
 ConfigNode parse_toml(const std::string& text, const std::string& file);

@@ -184,7 +184,7 @@ const char* name(Design design) {
 }
 
 StudyFile read_study_file(const std::string& path) {
-  return parse_study_file(io::read_text_file(path, 1000000), path);
+  return parse_study_file(io::read_plain_text(path, 1000000), path);
 }
 
 StudyFile parse_study_file(const std::string& text, const std::string& path) {
