@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -20,36 +18,6 @@ namespace {
 
 constexpr std::size_t kMostShapes = 100'000;
 constexpr int kMostUses = 8, kMostUsed = 2000;  // of uses within each other, and of all
-constexpr double kInch = 25.4;
-
-/// A length with its unit: value, and millimetres of the unit, none for a plain number and for px,
-/// which stand for a unit that nobody named.
-struct Length {
-  double value = 0;
-  std::optional<double> mm;
-  bool percent = false;
-};
-
-std::optional<Length> parse_length(const std::string& text) {
-  Length length;
-  const char* begin = text.data();
-  const char* end = text.data() + text.size();
-  while (begin != end && (*begin == ' ' || *begin == '\t' || *begin == '+')) ++begin;
-  const auto [rest, error] = std::from_chars(begin, end, length.value);
-  if (error != std::errc() || !std::isfinite(length.value)) return {};
-  std::string unit(rest, end);
-  while (!unit.empty() && unit.back() == ' ') unit.pop_back();
-  while (!unit.empty() && unit.front() == ' ') unit.erase(0, 1);
-  if (unit == "mm") length.mm = 1;
-  if (unit == "cm") length.mm = 10;
-  if (unit == "m") length.mm = 1000;
-  if (unit == "in") length.mm = kInch;
-  if (unit == "pt") length.mm = kInch / 72;
-  if (unit == "pc") length.mm = kInch / 6;
-  length.percent = unit == "%";
-  if (!length.mm && !length.percent && !unit.empty() && unit != "px") return {};
-  return length;
-}
 
 std::string in_quotes(const std::string& name) { return '"' + printable(name) + '"'; }
 
@@ -87,8 +55,7 @@ class Reader {
       throw InvalidInput({file_, root.line, {}},
                          "an XML file whose root is " + printable(root.name), "an SVG drawing");
     document_.freesewing = root.attributes.count("freesewing") > 0;
-    program(root, text);
-    page(root);
+    static_cast<SvgPage&>(document_) = page_of(root, text, file_);
     index(root);
     for (const XmlElement& child : root.children)
       element(child, SvgAffine::Identity(), {}, {}, false);
@@ -117,75 +84,6 @@ class Reader {
       document_.unused.push_back(what + ": not applied, it may hide something");
   }
 
-  /// The pixel of the program that wrote the file.
-  void program(const XmlElement& root, const std::string& text) {
-    PageUnit& unit = document_.unit;
-    unit = {kInch / per_inch_, "pixels of 1/96 inch"};
-    const std::string& version = root.attribute("inkscape:version");
-    double number = 0;
-    const char* const begin = version.data();
-    if (std::from_chars(begin, begin + version.size(), number).ec == std::errc()) {
-      // https://wiki.inkscape.org/wiki/Release_notes/0.92: "Important changes".
-      per_inch_ = number < 0.915 ? 90 : 96;
-      unit = {kInch / per_inch_,
-              fmt::format("the file is of Inkscape {}, whose pixels are 1/{:g} inch",
-                          printable(version, 20), per_inch_),
-              true};
-    } else if (!root.attribute("sodipodi:version").empty()) {
-      per_inch_ = 90;
-      unit = {kInch / per_inch_, "the file is of Sodipodi, whose pixels are 1/90 inch", true};
-    } else if (text.substr(0, 2000).find("Adobe Illustrator") != std::string::npos) {
-      // Lengths in the file are pixels all the same, its own unit is not.
-      unit = {kInch / 72, "the file is of Adobe Illustrator, whose units are points of 1/72 inch",
-              true};
-    } else if (document_.freesewing) {
-      unit = {1, "FreeSewing draws in millimetres", true, true};
-    }
-  }
-
-  void page(const XmlElement& root) {
-    const std::optional<Length> width = parse_length(root.attribute("width"));
-    const std::optional<Length> height = parse_length(root.attribute("height"));
-    const std::string& box = root.attribute("viewBox");
-    std::vector<double> view;
-    if (!box.empty()) {
-      view = parse_svg_numbers(box, file_, root.line, "viewBox");
-      if (view.size() != 4 || !(view[2] > 0) || !(view[3] > 0))
-        throw InvalidInput({file_, root.line, "viewBox"}, '"' + printable(box) + '"',
-                           "four numbers, the last two of them positive");
-      document_.low = {view[0], view[1]};
-      document_.high = document_.low + Vec2(view[2], view[3]);
-    }
-    // The drawing is fitted into the page: the smaller scale holds.
-    PageUnit& unit = document_.unit;
-    std::optional<PageUnit> stated;
-    for (int k = 0; k < 2; ++k) {
-      const std::optional<Length>& side = k == 0 ? width : height;
-      const std::string& written = root.attribute(k == 0 ? "width" : "height");
-      if (!side || side->percent || !(side->value > 0)) continue;
-      if (view.empty()) {
-        // Without a viewBox a unit is a pixel whatever the unit of the page.
-        if (side->mm && !unit.stated)
-          unit.stated = true,
-          unit.words =
-              "the page has a size but no viewBox, so that its units are pixels of 1/96 inch";
-        continue;
-      }
-      const bool pixels = !side->mm;
-      const double mm = side->value * side->mm.value_or(unit.mm) / view[2 + k];
-      if (stated && stated->mm <= mm) continue;
-      const std::string words =
-          fmt::format("{} {} over a viewBox of {:g} units", k == 0 ? "width" : "height",
-                      printable(written, 30), view[2 + k]);
-      stated = pixels ? PageUnit{mm, unit.words + ", " + words, unit.stated, unit.exact}
-                      : PageUnit{mm, "the file says " + words, true, true};
-    }
-    // FreeSewing's page is in millimetres; its drawing is so where the page says nothing.
-    if (stated && !(document_.freesewing && !stated->exact)) unit = *stated;
-    if (view.empty() && width && height && !width->percent && !height->percent)
-      document_.high = {length(root, "width"), length(root, "height")};
-  }
-
   void index(const XmlElement& element) {
     if (const std::string& id = element.attribute("id"); !id.empty()) by_id_.emplace(id, &element);
     for (const XmlElement& child : element.children) index(child);
@@ -210,17 +108,7 @@ class Reader {
   }
 
   double length(const XmlElement& e, const std::string& key, double fallback = 0) const {
-    const std::string& text = e.attribute(key);
-    if (text.empty()) return fallback;
-    const std::optional<Length> value = parse_length(text);
-    if (!value || std::abs(value->value) > 1e7)
-      throw InvalidInput({file_, e.line, key}, '"' + printable(text) + '"', "a length");
-    if (value->percent) {
-      const Vec2 size = document_.high - document_.low;
-      const bool along_y = key == "y" || key == "height" || key == "cy";
-      return value->value / 100 * (along_y ? size.y() : size.x());
-    }
-    return value->mm ? value->value * *value->mm * per_inch_ / kInch : value->value;
+    return document_.length(e, key, file_, fallback);
   }
 
   /// What the elements round one leave it.
@@ -410,7 +298,6 @@ class Reader {
   const std::string& file_;
   SvgDocument document_;
   SvgStyles styles_;
-  double per_inch_ = 96;  ///< pixels
   std::map<std::string, const XmlElement*> by_id_;
   std::set<const XmlElement*> shown_;  ///< by a use
   std::map<std::string, int> counts_;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/io/pieces/file_units.h"
+#include "loosefit/io/svg/svg_page.h"
 #include "loosefit/io/svg/svg_path.h"
 
 namespace loosefit::io {
@@ -26,23 +26,18 @@ struct SvgGroup {
 };
 
 /// What an SVG file draws.
-struct SvgDocument {
+struct SvgDocument : SvgPage {
   std::vector<SvgShape> shapes;
   std::vector<SvgGroup> groups;
-  PageUnit unit;                                 ///< of the drawing
-  bool freesewing = false;                       ///< FreeSewing wrote it
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< of the page; equal: not said
-  std::vector<std::string> unused;               ///< what is not read, by name, with the reason
+  bool freesewing = false;          ///< FreeSewing wrote it
+  std::vector<std::string> unused;  ///< what is not read, by name, with the reason
 };
 
 /// Shapes of path, rect, circle, ellipse, line, polyline, polygon and use (of one of these, of a
 /// group or of a symbol), with the transforms of all groups round them. What attributes, styles or
 /// style sheets hide (display, visibility; io/svg/svg_style.h) and what nothing uses of definitions
 /// and symbols is left out and named; clip paths, masks and markers are passed over.
-/// Unit: width and height with viewBox (W3C SVG 1.1, 7.7 and 7.10); without a length there, the
-/// pixel of the program: 1/90 inch in Inkscape up to 0.91, 1/96 from 0.92 on, 1/72 in Adobe
-/// Illustrator; millimetres in FreeSewing. `file` only appears in messages.
-/// \throws InvalidInput with the line.
+/// `file` only appears in messages. \throws InvalidInput with the line.
 SvgDocument parse_svg(const std::string& text, const std::string& file);
 
 }  // namespace loosefit::io
