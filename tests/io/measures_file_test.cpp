@@ -81,6 +81,27 @@ TEST_F(MeasuresFile, NamesWhatIsWrong) {
     EXPECT_EQ(told, ": " + m.name + ": found nothing, expected this measure in " +
                         (m.unit == "rad" ? "radians" : "metres"));
   }
+  // And what stands in another unit.
+  const auto with = [](const std::string& name, double value) {
+    std::string text = "{";
+    for (const auto& m : kinds::garment_kind("long-sleeve-shirt").measures)
+      if (m.required)
+        text += "\"" + m.name +
+                "\": " + std::to_string(m.name == name ? value : (m.low + m.high) / 2) + ", ";
+    return text + "\"x\": 0}";
+  };
+  for (const auto& m : kinds::garment_kind("long-sleeve-shirt").measures) {
+    if (!m.required) continue;
+    SCOPED_TRACE(m.name);
+    const double usual = (m.low + m.high) / 2;
+    EXPECT_EQ(error_of(with(m.name, usual)), "accepted");
+    EXPECT_EQ(error_of(with(m.name, m.high + 0.1 * (m.high - m.low))), "accepted")
+        << "the body's own";
+    for (const double times : {100.0, 1000.0})
+      EXPECT_NE(error_of(with(m.name, times * usual)).find(m.name + ": found "), std::string::npos);
+  }
+  EXPECT_NE(error_of(with("shoulder_slope", 20)).find("found 20, expected this measure in radians"),
+            std::string::npos);
   EXPECT_EQ(error_of("{\n\"waist\": 0.7,\n\"chest\": 0,95}"),
             ":3: found text that is not JSON, expected a JSON object with measures");
   EXPECT_EQ(error_of("<html>"), ": found a web page, expected a JSON object with measures");

@@ -1,10 +1,15 @@
 #include "loosefit/io/measures_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <utility>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
+#include "loosefit/base/types.h"
 #include "loosefit/io/file_kind.h"
 #include "loosefit/io/text_encoding.h"
 #include "loosefit/io/text_file.h"
@@ -17,6 +22,22 @@ using Json = nlohmann::json;
 std::string in_unit(const std::string& unit) {
   if (unit == "m") return "in metres";
   return unit == "rad" ? "in radians" : "in " + unit;
+}
+
+/// A value so far from those of people that it is in another unit; what lies a little outside is
+/// the body's own, which a draft may yield.
+void refuse_other_unit(double value, const kinds::KindMeasure& m, const InputPlace& place) {
+  const double far = 0.5 * (m.high - m.low);
+  if (value >= m.low - far && value <= m.high + far) return;
+  std::string hint;
+  for (const auto& [unit, factor] :
+       {std::pair{"cm", 0.01}, {"mm", 0.001}, {"inches", 0.0254}, {"degrees", radians(1)}})
+    if ((m.unit == "rad") == (std::string(unit) == "degrees") && hint.empty() &&
+        value * factor >= m.low && value * factor <= m.high)
+      hint = fmt::format("{:g} {} is {:.4g} {}", value, unit, value * factor, m.unit);
+  throw InvalidInput(place, shortest(value),
+                     fmt::format("this measure {}, {:g} to {:.4g}", in_unit(m.unit), m.low, m.high),
+                     hint);
 }
 
 /// The first line with a decimal comma behind a colon; 0 without one.
@@ -53,11 +74,13 @@ kinds::NamedValues read_measures(const std::filesystem::path& path,
       throw InvalidInput(place, "nothing", "this measure " + in_unit(m.unit));
     const Json& value = table.at(key);
     double number = 0;
-    if (value.is_string() && number_in(value.get<std::string>(), number)) return number;
-    if (!value.is_number())
+    if (value.is_number())
+      number = value.get<double>();
+    else if (!value.is_string() || !number_in(value.get<std::string>(), number))
       throw InvalidInput(place, std::string("a value of type ") + value.type_name(), "a number",
                          "this measure stands " + in_unit(m.unit));
-    return value.get<double>();
+    refuse_other_unit(number, m, place);
+    return number;
   };
   kinds::NamedValues values;
   const auto given = [&](const kinds::KindMeasure& m) {

@@ -19,6 +19,7 @@ constexpr std::size_t kMaxBytes = 1000000;
 // before the parser (which recurses when it frees its tables) sees the text.
 constexpr std::size_t kMaxLine = 2000;
 constexpr int kMaxDepth = 32;
+constexpr const char *kExpected = "a TOML file", *kHint = "TOML is text: key = value, [section]";
 
 ConfigNode converted(const toml::node& node, const std::string& file, int depth) {
   ConfigNode result;
@@ -94,13 +95,18 @@ std::string syntax_hint(const std::string& text, int line) {
 
 }  // namespace
 
+std::string read_toml_text(const std::string& path) {
+  const std::string text = read_plain_text(path, kMaxBytes);
+  refuse_other_kinds(text, path, kExpected, {"a TOML file"}, kHint);
+  return text;
+}
+
 ConfigNode parse_toml(const std::string& written, const std::string& file) {
   const std::string text = plain_text(written);
   if (text.size() > kMaxBytes)
     throw InvalidInput({file, 0, ""}, std::to_string(text.size()) + " bytes",
                        "a TOML file of at most 1 MB");
-  refuse_other_kinds(text, file, "a TOML file", {"a TOML file", "an empty file"},
-                     "TOML is text: key = value, [section]");
+  refuse_other_kinds(text, file, kExpected, {"a TOML file", "an empty file"}, kHint);
   refuse_long_lines(text, file);
   try {
     return converted(toml::parse(text, file), file, 0);
@@ -111,8 +117,6 @@ ConfigNode parse_toml(const std::string& written, const std::string& file) {
   }
 }
 
-ConfigNode read_toml(const std::string& path) {
-  return parse_toml(read_text_file(path, kMaxBytes), path);
-}
+ConfigNode read_toml(const std::string& path) { return parse_toml(read_toml_text(path), path); }
 
 }  // namespace loosefit::io

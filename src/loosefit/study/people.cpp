@@ -179,7 +179,7 @@ Anthropometry load_anthropometry(const std::string& name) {
     throw InvalidInput({"", 0, "statistics"}, "\"" + printable(name) + "\"",
                        "the name of anthropometric statistics", did_you_mean(name, names));
   const fs::path path = folder() / (name + ".toml");
-  return parse_anthropometry(io::read_plain_text(path.string(), 1000000), path.string());
+  return parse_anthropometry(io::read_toml_text(path.string()), path.string());
 }
 
 Anthropometry parse_anthropometry(const std::string& text, const std::string& file) {
