@@ -125,7 +125,7 @@ TEST(FileKind, JsonOfOtherProgramsIsToldByItsKeys) {
 TEST(FileKind, TextsOfOursAreNoOtherKind) {
   for (const char* text :
        {"name,sex,age,height\nA,female,30,1.7\n", "name;sex\nA;f\n", "0.1 0.2 0.3\n",
-        "IN a word; PU 1", "INSIDE;PD", "1;2;3\n", "{\"chest\": 0.9}"})
+        "IN a word; PU 1", "INSIDE;PD", "1;2;3\n", "sep=;\nname;sex\n", "{\"chest\": 0.9}"})
     EXPECT_EQ(kind_of_file(text), "") << text;
 }
 

@@ -248,6 +248,7 @@ bool is_key(const std::string& word) {
 bool is_toml(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
     if (line[0] == '#') continue;
+    if (line.starts_with("sep=")) return false;  // a table of Excel
     if (line[0] == '[') return line.find(']') != std::string::npos && !is_json_list(line, 0);
     const std::size_t equal = line.find('=');
     return equal != std::string::npos && is_key(line.substr(0, equal));
