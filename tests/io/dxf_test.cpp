@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -114,6 +115,38 @@ TEST(Dxf, SizesAreChosenOrRefused) {
   no_sample.replace(no_sample.find("Sample Size: 40"), 15, "Sample Size: 99");
   EXPECT_NE(refusal(no_sample).find("2 sizes (40, 42)"), std::string::npos);
   EXPECT_EQ(refusal(no_sample, {"42", ""}), "");
+}
+
+TEST(Dxf, KeysAreReadInTheLanguagesOfMakers) {
+  const std::string english = gerber_like_dxf();
+  const auto with = [&](std::vector<std::pair<std::string, std::string>> words) {
+    std::string text = english;
+    for (const auto& [from, to] : words)
+      for (std::size_t at = 0; (at = text.find("\n" + from + ":", at)) != std::string::npos;
+           at += to.size())
+        text.replace(at + 1, from.size(), to);
+    return text;
+  };
+  const PatternFile read = parse_dxf_pattern(english, "t");
+  for (const auto& [sample, size, units] : {std::array{"Basisgröße", "Größe", "Einheiten"},
+                                            {"BASISGRÖSSE", "GRÖSSE", "EINHEIT"},
+                                            {"Grundgroesse", "Groesse", "Masseinheit"},
+                                            {"Taille de base", "Taille", "Unités"},
+                                            {"TALLA BASE", "TALLA", "UNIDADES"},
+                                            {"Taglia base", "Taglia", "Unità"},
+                                            {"Tamanho base", "Tamanho", "Unidades"},
+                                            {"Basismaat", "Maat", "Eenheden"},
+                                            {"SAMPLE SIZE", "SIZE", "UNITS"},
+                                            {"Base Size", "size", "Unit"}}) {
+    SCOPED_TRACE(size);
+    const PatternFile same =
+        parse_dxf_pattern(with({{"Sample Size", sample}, {"Size", size}, {"Units", units}}), "t");
+    EXPECT_EQ(same.about, read.about);
+    EXPECT_EQ(same.unused, read.unused);
+    ASSERT_EQ(same.pattern.panels.size(), read.pattern.panels.size());
+    for (std::size_t p = 0; p < read.pattern.panels.size(); ++p)
+      EXPECT_EQ(extent(same.pattern.panels[p]), extent(read.pattern.panels[p]));
+  }
 }
 
 TEST(Dxf, UnitsThatLieAreFoundOrAskedFor) {

@@ -114,6 +114,13 @@ TEST(SvgStyle, TheCascadeDecides) {
             (std::set<std::string>{"b"}));
 }
 
+TEST(SvgStyle, TheDrawingItselfMayBeInvisible) {
+  EXPECT_TRUE(document("<style>svg{visibility:hidden}</style>" + path("a")).shapes.empty());
+  EXPECT_EQ(drawn(document("<style>svg{visibility:hidden} #b{visibility:visible}</style>" +
+                           path("a") + path("b"))),
+            (std::set<std::string>{"b"}));
+}
+
 TEST(SvgStyle, SelectorsThatAreNotReadAreNamed) {
   const SvgDocument d = document(
       "<style>@import url(more.css); path:not(.x){display:none} a + "

@@ -57,14 +57,21 @@ class Reader {
     document_.freesewing = root.attributes.count("freesewing") > 0;
     static_cast<SvgPage&>(document_) = page_of(root, text, file_);
     index(root);
+    const Inherited outside{styles_.property(root, "visibility"), 0};
     for (const XmlElement& child : root.children)
-      element(child, SvgAffine::Identity(), {}, {}, false);
+      element(child, SvgAffine::Identity(), {}, outside, false);
     if (!document_.freesewing) note_definitions(root, false);
     tell_unused();
     return std::move(document_);
   }
 
  private:
+  /// What the elements round one leave it.
+  struct Inherited {
+    SvgStyles::Value visibility;
+    int uses = 0;  ///< within each other
+  };
+
   /// Where people may need to know of a thing that it was left out, and why.
   void leave(const std::string& reason, const XmlElement& e) { left_[reason].push_back(called(e)); }
 
@@ -110,12 +117,6 @@ class Reader {
   double length(const XmlElement& e, const std::string& key, double fallback = 0) const {
     return document_.length(e, key, file_, fallback);
   }
-
-  /// What the elements round one leave it.
-  struct Inherited {
-    SvgStyles::Value visibility;
-    int uses = 0;  ///< within each other
-  };
 
   void element(const XmlElement& e, const SvgAffine& outside, const std::vector<int>& groups,
                Inherited inherited, bool by_use) {
