@@ -14,6 +14,7 @@
 #include "loosefit/body/scan_girths.h"
 #include "loosefit/body/surface_topology.h"
 #include "support/body_fixture.h"
+#include "support/shapes.h"
 
 namespace loosefit::body {
 namespace {
@@ -441,6 +442,25 @@ TEST(ScanBody, SaysWhatKeepsAnArmFromBeingFound) {
     EXPECT_NE(std::string(error.what()).find("no left arm"), std::string::npos) << error.what();
     EXPECT_NE(error.hint().find("scan the person"), std::string::npos);
   }
+}
+
+TEST(ScanBody, AThingWithoutLimbsIsNamed) {
+  for (const double height : {1.4, 1.7, 2.0})
+    for (const double waist : {0.0, 0.3}) {  // by how much a dress form is drawn in there
+      geometry::TriangleMesh form = support::sphere(1, 40, 48);
+      for (Vec3& p : form.vertices) {
+        const double narrow = 1 - waist * std::exp(-20 * p.z() * p.z());
+        p = Vec3(0.2 * narrow * p.x(), 0.13 * narrow * p.y(), height / 2 * (1 + p.z()));
+      }
+      try {
+        body_from_scan(form, {"form.obj", "m", "z"});
+        FAIL() << "a form without limbs was accepted";
+      } catch (const GeometryError& error) {
+        EXPECT_NE(std::string(error.what()).find("without arms and legs"), std::string::npos)
+            << error.what();
+        EXPECT_NE(error.hint().find("from the measures"), std::string::npos);
+      }
+    }
 }
 
 }  // namespace

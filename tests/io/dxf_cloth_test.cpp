@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "loosefit/base/error.h"
 #include "loosefit/io/dxf/dxf_pieces.h"
-#include "loosefit/io/pieces/file_units.h"
 
 namespace loosefit::io {
 namespace {
@@ -45,24 +43,6 @@ TEST(DxfCloth, OwnFabricIsBelievedBeforeTheOtherTexts) {
   EXPECT_EQ(of_other_cloth(piece("Cotton", "LINING")), "Category \"LINING\"");
   EXPECT_EQ(of_other_cloth(piece("Fabric 1", "LINING")), "Category \"LINING\"") << "of any cloth";
   EXPECT_EQ(of_other_cloth(piece("LINING", "SHELL")), "Fabric \"LINING\"");
-}
-
-TEST(FileUnits, EnglishOfCloIsNeverTakenForInches) {
-  const auto units = [](double extent, const std::string& maker, const std::string& asked = {}) {
-    return choose_units(asked, {"ENGLISH", {}, maker}, extent, "c.dxf");
-  };
-  for (const double extent : {10.0, 17.0, 24.0}) {
-    EXPECT_EQ(units(extent, "Gerber").name, "inches");
-    for (const char* maker : {" CLO Virtual Fashion Inc.", " Marvelous Designer"}) try {
-        ADD_FAILURE() << units(extent, maker).name;
-      } catch (const InvalidInput& error) {
-        EXPECT_NE(std::string(error.what()).find("writes centimetres"), std::string::npos);
-        EXPECT_NE(error.hint().find("--units"), std::string::npos) << error.hint();
-      }
-    EXPECT_EQ(units(extent, " CLO 7", "cm").name, "centimetres");
-  }
-  EXPECT_EQ(units(26, " CLO 7").name, "centimetres");
-  EXPECT_EQ(units(62, " CLO 7").name, "centimetres");
 }
 
 }  // namespace

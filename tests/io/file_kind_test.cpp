@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_read.h"
 
@@ -46,6 +48,85 @@ TEST(FileKind, IsToldByTheContent) {
     EXPECT_EQ(refusal(bytes),
               "x: found " + kind + ", expected GarmentCode JSON (NAME_specification.json)");
   }
+}
+
+std::string in_utf16(const std::string& ascii, bool little) {
+  std::string bytes = little ? "\xff\xfe" : "\xfe\xff";
+  for (const char c : ascii) bytes += little ? std::string{c, '\0'} : std::string{'\0', c};
+  return bytes;
+}
+
+TEST(FileKind, FilesOfOtherProgramsAreNamedWithWhatToDo) {
+  const std::vector<std::array<std::string, 3>> files = {
+      {"HIERARCHY\nROOT hip\n", "a motion (BVH)", "no surface"},
+      {"PathFileType\t4\t(X/Y/Z)\twalk.trc\n", "a motion (TRC)", "no surface"},
+      {std::string("\x02P\x10\0\0\0", 6), "a motion (C3D)", "no surface"},
+      {"Coordinates\nversion=1\nnRows=3\nendheader\n", "a motion (OpenSim)", "no surface"},
+      {"IN;SP1;PU0,0;PD4000,0;PU;", "a plot file (HPGL)", "DXF"},
+      {"\x1b%-12345X@PJL ENTER LANGUAGE=HPGL2", "a plot file (HPGL)", "DXF"},
+      {"PA;PU0 0;PD40 0 40 40;", "a plot file (HPGL)", "DXF"},
+      {"%!PS-Adobe-3.0 EPSF\n", "a PostScript file", "SVG"},
+      {"\x89PNG\r\n\x1a\n", "a picture (PNG)", "trace"},
+      {"\xff\xd8\xff\xe0", "a picture (JPEG)", "trace"},
+      {"GIF89a", "a picture (GIF)", "trace"},
+      {"RIFF1234WEBPVP8 ", "a picture (WebP)", "trace"},
+      {"PK\x03\x04....[Content_Types].xml....xl/workbook.xml", "an Excel workbook (xlsx)", "CSV"},
+      {"PK\x03\x04....word/document.xml", "a Word document (docx)", "CSV"},
+      {"PK\x03\x04mimetypeapplication/vnd.oasis.opendocument.spreadsheet", "a spreadsheet (ods)",
+       "CSV"},
+      {"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "an Office document (xls, doc)", "CSV"},
+      {"Kaydara FBX Binary  ", "a mesh (FBX)", ""},
+      {"; FBX 7.4.0 project file\n", "a mesh (FBX)", ""},
+      {"BLENDER-v300", "a Blender file", "OBJ"},
+      {"ISO-10303-21;\nHEADER;\n", "a CAD model (STEP)", "OBJ"},
+      {"version https://git-lfs.github.com/spec/v1\noid sha256:1\n",
+       "a Git LFS pointer, not the file it stands for", "git lfs pull"},
+      {"<!doctype html>\n<html><svg></svg></html>", "a web page", "the file itself"},
+      {"<HTML><head>", "a web page", "the file itself"},
+      {"<!-- x --><html>", "a web page", "the file itself"},
+      {"[{\"a\": 1}]", "a JSON list", ""},
+      {"[[0, 1], [2, 3]]", "a JSON list", ""},
+      {"[\"a\", \"b\"]", "a JSON list", ""},
+      {"{\"type\": \"FeatureCollection\", \"features\": []}", "a map (GeoJSON)", ""},
+      {"{\"name\": \"x\", \"version\": \"1.0.0\", \"dependencies\": {}}", "a package.json of Node",
+       ""},
+      {"{\"v\": \"5.5\", \"fr\": 30, \"ip\": 0, \"op\": 60, \"layers\": []}",
+       "an animation (Lottie)", ""},
+      {"[garment]\npattern = \"t-shirt\"\n", "a TOML file", ""},
+      {"# case\nname = 1\n", "a TOML file", ""},
+      {"[[axis]]\nname = \"people\"\n", "a TOML file", ""},
+      {"body:\n  height: 171\n  waist: 84\n", "a YAML file", ""},
+      {std::string("ab\0\1\2cdef", 9), kUnknownBinary, ""},
+  };
+  for (const auto& [bytes, kind, advice] : files) {
+    SCOPED_TRACE(kind);
+    EXPECT_EQ(recognise_file(bytes).name, kind);
+    EXPECT_NE(recognise_file(bytes).advice.find(advice), std::string::npos);
+    EXPECT_NE(refusal(bytes).find("x: found " + kind), std::string::npos) << refusal(bytes);
+    // A byte order mark and UTF-16 hide no text.
+    if (bytes.find_first_of(std::string("\0\x80\xff\xd0\x89\x1b", 6)) == std::string::npos &&
+        (bytes[0] == '<' || bytes[0] == '{' || bytes[0] == '[' || bytes[0] == '#')) {
+      EXPECT_EQ(kind_of_file("\xef\xbb\xbf" + bytes), kind);
+      for (const bool little : {false, true})
+        EXPECT_EQ(kind_of_file(in_utf16(bytes, little)), kind);
+    }
+  }
+}
+
+TEST(FileKind, JsonOfOtherProgramsIsToldByItsKeys) {
+  EXPECT_EQ(
+      refusal("{\"pieces\": {\"F\": {}}, \"unit\": 1}"),
+      "x: found JSON of another program (keys \"pieces\", \"unit\"), expected GarmentCode JSON "
+      "(NAME_specification.json)");
+  EXPECT_NE(refusal("{}").find("a JSON object without keys"), std::string::npos);
+  EXPECT_NE(refusal("{\"pattern\": {}}").find("pattern.panels"), std::string::npos);
+}
+
+TEST(FileKind, TextsOfOursAreNoOtherKind) {
+  for (const char* text :
+       {"name,sex,age,height\nA,female,30,1.7\n", "name;sex\nA;f\n", "0.1 0.2 0.3\n",
+        "IN a word; PU 1", "INSIDE;PD", "1;2;3\n", "sep=;\nname;sex\n", "{\"chest\": 0.9}"})
+    EXPECT_EQ(kind_of_file(text), "") << text;
 }
 
 TEST(FileKind, PatternsAndBrokenPatternsHaveNone) {

@@ -288,8 +288,10 @@ TEST(GarmentCode, ErrorsNameFileAndPath) {
   EXPECT_NE(error_of(replaced(good, "\"endpoints\": [2, 3]", "\"endpoints\": [3, 2]"))
                 .find("panel front edge 1: found end at vertex 2"),
             std::string::npos);
-  EXPECT_EQ(error_of("[1, 2]"), "bad.json: found an array of 2, expected an object");
-  EXPECT_EQ(error_of("{}"), "bad.json: pattern: found nothing, expected this key");
+  const std::string expected = ", expected GarmentCode JSON (NAME_specification.json)";
+  EXPECT_EQ(error_of("[1, 2]"), "bad.json: found a JSON list" + expected);
+  EXPECT_EQ(error_of("{}"), "bad.json: found a JSON object without keys" + expected);
+  EXPECT_EQ(error_of("7"), "bad.json: found 7, expected an object");
 }
 
 TEST(GarmentCodeFuzz, NoMutilatedFileCrashesOrHangs) {

@@ -1,7 +1,10 @@
 #include "loosefit/io/mesh_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -110,8 +113,9 @@ TEST_F(MeshFileTest, ErrorsNameTheLineAndTheWord) {
   EXPECT_NE(refusal("d.obj", three + "f 1 2\n").find("2 corners"), std::string::npos);
   EXPECT_NE(refusal("e.obj", three + "f 0 1 2\n").find("vertex 0"), std::string::npos);
   EXPECT_NE(refusal("f.obj", "v nan 0 0\n").find("nan"), std::string::npos);
-  EXPECT_NE(refusal("g.obj", "").find("0 vertices"), std::string::npos);
-  EXPECT_NE(refusal("h.xyz", three).find(".xyz"), std::string::npos);
+  EXPECT_NE(refusal("g.obj", "").find("an empty file"), std::string::npos);
+  EXPECT_NE(refusal("h.xyz", "0 0 0\n1 0 0\n").find("extension .xyz"), std::string::npos);
+  EXPECT_NE(refusal("i.obj", three).find("3 vertices and 0 faces"), std::string::npos);
   EXPECT_THROW(read_mesh(path("missing.obj")), IoError);
   EXPECT_THROW(read_mesh(folder_.string()), IoError);
 }
@@ -122,7 +126,7 @@ TEST_F(MeshFileTest, BrokenPlyHeadersAndBodies) {
       "z\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   refusal("a.ply", "ply\n");
-  refusal("b.ply", "ply\nformat binary_big_endian 1.0\nend_header\n");
+  refusal("b.ply", "ply\nformat binary_middle_endian 1.0\nend_header\n");
   refusal("c.ply", "ply\nformat ascii 1.0\nelement vertex -3\nend_header\n");
   refusal("d.ply", head + "0 0 0\n1 0 0\n");
   EXPECT_NE(refusal("e.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n").find("vertex 9"),
@@ -138,6 +142,146 @@ TEST_F(MeshFileTest, BrokenStl) {
   refusal("c.stl", std::string(84, '\0'));
   const std::string good = support::stl_bytes(tetrahedron());
   refusal("d.stl", good.substr(0, good.size() - 10));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string in_utf16(const std::string& ascii) {
+  std::string bytes = "\xff\xfe";
+  for (const char c : ascii) bytes += {c, '\0'};
+  return bytes;
+}
+
+/// A sphere of n rings of m faces.
+geometry::TriangleMesh sphere(int n, int m) {
+  geometry::TriangleMesh mesh;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const double a = kPi * i / n, b = 2 * kPi * j / m;
+      mesh.vertices.emplace_back(0.3 * std::sin(a) * std::cos(b), 0.3 * std::sin(a) * std::sin(b),
+                                 0.85 - 0.85 * std::cos(a));
+    }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j) {
+      const int k = (j + 1) % m;
+      mesh.triangles.push_back({i * m + j, (i + 1) * m + j, (i + 1) * m + k});
+      mesh.triangles.push_back({i * m + j, (i + 1) * m + k, i * m + k});
+    }
+  return mesh;
+}
+
+TEST_F(MeshFileTest, OneSurfaceIsTheSameInEveryDialectOfObj) {
+  const geometry::TriangleMesh mesh = sphere(6, 9);
+  write_obj(path("plain.obj"), mesh);
+  std::ifstream in(path("plain.obj"), std::ios::binary);
+  const std::string plain((std::istreambuf_iterator<char>(in)), {});
+  const std::string comma = replaced(plain, ".", ",");
+  for (const std::string& text :
+       {plain, replaced(plain, "\n", "\r\n"), replaced(plain, "\n", "\r"), comma,
+        replaced(comma, "\n", "\r"), "\xEF\xBB\xBF" + plain, in_utf16(plain),
+        in_utf16(replaced(plain, "\n", "\r\n")), plain.substr(plain.find('\n') + 1)}) {
+    SCOPED_TRACE(text.substr(0, 80));
+    expect_same(read_mesh(put("d.obj", text)).mesh, mesh);
+  }
+}
+
+TEST_F(MeshFileTest, StripsOfTrianglesAreTheFacesTheyStandFor) {
+  // A fan of two rows of points, as one strip and as several ended by −1.
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
+  const geometry::TriangleMesh one = read_mesh(put("s.ply", head + "6 0 1 2 3 4 5\n")).mesh;
+  ASSERT_EQ(one.triangles.size(), 4u);
+  for (const Triangle& t : one.triangles) {
+    const Vec3 a = one.vertices[t[0]], b = one.vertices[t[1]], c = one.vertices[t[2]];
+    EXPECT_LT((b - a).cross(c - a).z(), 0) << "all look the same way";
+  }
+  EXPECT_EQ(read_mesh(put("s.ply", head + "9 0 1 2 3 -1 2 3 4 5\n")).mesh.triangles.size(), 4u);
+  EXPECT_EQ(read_mesh(put("s.ply", head + "8 0 1 2 3 3 4 4 5\n")).mesh.triangles.size(), 2u)
+      << "joined by triangles without area";
+  EXPECT_NE(refusal("s.ply", head + "3 0 1 9\n").find("vertex 9"), std::string::npos);
+}
+
+TEST_F(MeshFileTest, BinaryPlyIsReadInBothByteOrders) {
+  const std::string little = support::ply_bytes(tetrahedron());
+  const std::size_t body = little.find("end_header\n") + 11;
+  // Numbers of that file: coordinates of 8 bytes; a face is one byte and three of 4.
+  std::string big = little.substr(0, body);
+  big.replace(big.find("little"), 6, "big");
+  const auto turn = [&](std::size_t at, std::size_t size) {
+    for (std::size_t k = size; k-- > 0;) big += little[at + k];
+  };
+  std::size_t at = body;
+  for (int k = 0; k < 12; ++k, at += 8) turn(at, 8);
+  for (int f = 0; f < 4; ++f) {
+    turn(at++, 1);
+    for (int k = 0; k < 3; ++k, at += 4) turn(at, 4);
+  }
+  ASSERT_EQ(at, little.size());
+  expect_same(read_mesh(put("b.ply", big)).mesh, tetrahedron());
+}
+
+TEST_F(MeshFileTest, AnStlThatIsCutAnywhereSaysSo) {
+  const geometry::TriangleMesh mesh = sphere(3, 4);
+  std::string binary = support::stl_bytes(mesh);
+  const std::size_t count = mesh.triangles.size();
+  std::string titled = binary;
+  titled.replace(0, 10, "solid body");
+  for (const std::string& whole : {binary, titled})
+    for (std::size_t size = 1; size < whole.size(); size += size < 90 ? 1 : 7) {
+      const std::string message = refusal("cut.stl", whole.substr(0, size));
+      const std::string words =
+          size >= 84 ? fmt::format("{} triangles announced, bytes for {}", count, (size - 84) / 50)
+                     : std::string("found ");
+      EXPECT_NE(message.find(words), std::string::npos) << size << ": " << message;
+    }
+  EXPECT_NE(refusal("long.stl", binary + "more")
+                .find(fmt::format("{0} triangles announced, bytes for {0}", count)),
+            std::string::npos);
+  // As text, at every length before the word that ends it.
+  std::string text = "solid a\n";
+  for (const Triangle& t : mesh.triangles) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int v : t)
+      text += fmt::format("vertex {} {} {}\n", mesh.vertices[v].x(), mesh.vertices[v].y(),
+                          mesh.vertices[v].z());
+    text += "endloop\nendfacet\n";
+  }
+  EXPECT_GT(read_mesh(put("text.stl", text + "endsolid a\n")).mesh.triangles.size(), 0u);
+  for (std::size_t size = 1; size < text.size(); size += 3)
+    refusal("cut.stl", text.substr(0, size));
+  EXPECT_NE(refusal("cut.stl", text).find("expected endsolid"), std::string::npos);
+}
+
+TEST_F(MeshFileTest, FilesOfOtherProgramsAreNamed) {
+  for (const auto& [bytes, kind] :
+       {std::pair<std::string, std::string>{"HIERARCHY\nROOT hip\n", "a motion (BVH)"},
+        {std::string("glTF\2\0\0\0", 8), "a mesh (glTF)"},
+        {"Kaydara FBX Binary  ", "a mesh (FBX)"},
+        {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a Git LFS pointer"},
+        {"<!DOCTYPE html><html>", "a web page"},
+        {"BLENDER-v300", "a Blender file"},
+        {"OFF\n3 1 0\n", "a mesh (OFF)"}})
+    for (const char* name : {"x.obj", "x.ply", "x.stl"})
+      EXPECT_NE(refusal(name, bytes).find("found " + kind), std::string::npos) << kind;
+}
+
+TEST_F(MeshFileTest, AUnitInACommentIsTold) {
+  const std::string faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const auto& [comment, unit] :
+       {std::pair<std::string, std::string>{"# File units = inches\n", "in"},
+        {"# Units: Centimeters\n", "cm"},
+        {"# exported, unit mm\n", "mm"},
+        {"# metres, z up, facing -y\n", "m"},
+        {"# units unknown\n", ""},
+        {"# made in one unit\n", ""},
+        {"", ""}})
+    EXPECT_EQ(read_mesh(put("u.obj", comment + faces)).units, unit) << comment;
 }
 
 // Whatever a file holds, reading ends in a surface or in one of our errors.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "loosefit/base/error.h"
@@ -311,7 +312,8 @@ TEST(ScenarioErrors, MaterialUnitsGetAHint) {
 TEST(ScenarioErrors, TextThatIsNotToml) {
   EXPECT_NE(refusal("[body\nsex = 1\n").find("case.toml:1: found"), std::string::npos);
   EXPECT_NE(refusal("[body]\nsex = 1\nsex = 0\n").find("case.toml:3"), std::string::npos);
-  EXPECT_NE(refusal(std::string("\x00\xff\xfe", 3)).find("expected valid TOML"), std::string::npos);
+  EXPECT_NE(refusal(std::string("\x00\xff\xfe", 3)).find("found binary data"), std::string::npos);
+  EXPECT_NE(refusal("\x1b[31m = 1\n").find("expected valid TOML"), std::string::npos);
   EXPECT_NE(refusal(std::string(3000, 'a') + " = 1\n").find("2000 bytes"), std::string::npos);
   std::string deep = "a = ";
   for (int i = 0; i < 900; ++i) deep += "[";
@@ -321,6 +323,41 @@ TEST(ScenarioErrors, TextThatIsNotToml) {
   EXPECT_NE(refusal(dotted + " = 1\n").find("32 deep"), std::string::npos);
   EXPECT_THROW(read_scenario("/nowhere/case.toml"), IoError);
   EXPECT_THROW(read_scenario("/tmp"), IoError);
+}
+
+TEST(ScenarioErrors, OtherDialectsAreNamed) {
+  using support::expect_refused;
+  expect_refused("[body]\nheight = 1,68\n", {"case.toml:2", "1,68 is 1.68"});
+  expect_refused("[body]\nheight = -1,5 # x\n", {"case.toml:2", "-1,5 is -1.5"});
+  expect_refused("[body]\nmeasurements = { chest = 1,00, waist = 0,86 }\n",
+                 {"case.toml:2", "1,00 is 1.00"});
+  expect_refused("[body]\nheight = \"1,68\"\n",
+                 {"case.toml:2: body.height: found \"1,68\"", "without quotes", "1.68"});
+  expect_refused("[body]\nheight: 1.68\n", {"case.toml:2", "joined by ="});
+  expect_refused("[garment]\npattern = \xe2\x80\x9ct-shirt\xe2\x80\x9d\n",
+                 {"case.toml:2", "plain \"quotes\""});
+  expect_refused("[body]\nheight = 1.68;\n", {"case.toml:2", "semicolon"});
+  expect_refused("{\"body\": {\"height\": 1.68}}", {"looks like JSON"});
+  expect_refused("body:\n  height: 1.68\n", {"found a YAML file, expected a TOML file"});
+  expect_refused("<html>", {"found a web page, expected a TOML file"});
+  expect_refused("version https://git-lfs.github.com/spec/v1\n", {"git lfs pull"});
+}
+
+TEST(ScenarioErrors, OneScenarioIsTheSameFromEveryEditor) {
+  const std::string text = "[body]\nheight = 1.68\nmeasurements = { chest = 0.9 }\n";
+  std::string old_mac = text, little = "\xff\xfe", big = "\xfe\xff", windows;
+  std::replace(old_mac.begin(), old_mac.end(), '\n', '\r');
+  for (const char c : text) {
+    little += {c, '\0'};
+    big += {'\0', c};
+    windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  }
+  for (const std::string& written :
+       {text, old_mac, little, big, windows, "\xef\xbb\xbf" + text, little.substr(2)}) {
+    const scenario::Scenario s = parse_scenario(written, "case.toml");
+    EXPECT_EQ(s.body.height, 1.68);
+    EXPECT_EQ(s.body.measurements.at("chest"), 0.9);
+  }
 }
 
 TEST(ScenarioErrors, SlipsAreNamedBeforeWhatIsThenMissing) {

@@ -94,6 +94,17 @@ TEST(UnitsDoubt, TubesThatNothingSaysToBeSkirtsAreNotHeldAgainstTheWaist) {
   EXPECT_NE(doubt_of(tube("skirt ", 2.4, 0.60, 0.40)).found, "");
 }
 
+TEST(UnitsDoubt, ASmallPieceIsNone) {
+  for (const double side : {0.07, 0.09, 0.11, 0.2}) {
+    pattern::Pattern pattern;
+    pattern.panels = {rectangle_panel("cup", side, 0.8 * side)};
+    EXPECT_EQ(units_doubt(pattern, {}).found, "") << side;
+  }
+  pattern::Pattern pattern;
+  pattern.panels = {rectangle_panel("cup", 0.02, 0.03)};
+  EXPECT_TRUE(units_doubt(pattern, {}).wears_nobody);
+}
+
 TEST(UnitsDoubt, AFrillOfOneLongStripIsNoReasonToRefuseASkirt) {
   pattern::Pattern pattern = tube("skirt ", 0.9, 0.6, 0.4);
   pattern.panels.push_back(rectangle_panel("frill", 3.2, 0.1));

@@ -111,6 +111,14 @@ constexpr double kHanging = 60;  // arms raised less are apart from the trunk in
 
 /// A scan whose arms are told from the trunk.
 void require_arms(const ScanLimbs& limbs, double height) {
+  const auto found = [](const LimbChain& limb) { return limb.found(); };
+  if (std::none_of(limbs.arm.begin(), limbs.arm.end(), found) &&
+      std::none_of(limbs.leg.begin(), limbs.leg.end(), found))
+    throw GeometryError(
+        "found a surface without arms and legs, as of a dress form or another thing, expected a "
+        "whole standing person",
+        "make a body from the measures of the form instead (loosefit body --chest ... --waist "
+        "...)");
   for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
     const LimbChain& arm = limbs.arm[side];
     const char* name = side == 0 ? "left" : "right";

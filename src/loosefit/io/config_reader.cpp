@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
@@ -25,6 +26,13 @@ std::string expected_number(const NumberRange& range) {
   const double huge = std::numeric_limits<double>::max();
   if (range.low <= -huge && range.high >= huge) return range.what;
   return fmt::format("{} from {} to {}", range.what, range.low, range.high);
+}
+
+/// For a text in place of a number that reads as one.
+std::string text_hint(const ConfigNode& node) {
+  double value = 0;
+  if (node.kind != Kind::text || !number_in(node.text, value)) return {};
+  return "numbers stand without quotes and with a decimal point: " + shortest(value);
 }
 
 ValueForm number_form(const NumberRange& range, const char* type = "number") {
@@ -170,7 +178,7 @@ std::optional<double> ConfigReader::optional_number(const std::string& key,
   note(key, number_form(range), about, usual ? shortest(*usual) : "");
   const ConfigNode* node = this->node(key);
   if (!node) return std::nullopt;
-  if (!is_number(*node)) throw error(key, expected_number(range));
+  if (!is_number(*node)) throw error(key, expected_number(range), text_hint(*node));
   if (!within(node->number, range))
     throw error(key, expected_number(range), unit_hint(node->number, range));
   return node->number;
@@ -332,7 +340,7 @@ std::vector<double> ConfigReader::numbers(const std::string& key, const NumberRa
   std::vector<double> values;
   for (const ConfigNode& item : node->items) {
     if (!is_number(item) || !within(item.number, range))
-      throw error(key, item.describe(), expected_number(range), {});
+      throw error(key, item.describe(), expected_number(range), text_hint(item));
     values.push_back(item.number);
   }
   return values;

@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/file_kind.h"
 
 namespace loosefit::io {
 namespace {
@@ -62,7 +64,7 @@ std::string csv_line(const std::vector<std::string>& fields) {
   return line + "\n";
 }
 
-CsvFields csv_fields(const std::string& line) {
+CsvFields csv_fields(const std::string& line, char separator) {
   std::vector<std::string> fields(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -76,7 +78,7 @@ CsvFields csv_fields(const std::string& line) {
         quoted = false;
     } else if (c == '"' && fields.back().empty()) {
       quoted = true;
-    } else if (c == ',') {
+    } else if (c == separator) {
       fields.emplace_back();
     } else {
       fields.back() += c;
@@ -86,9 +88,59 @@ CsvFields csv_fields(const std::string& line) {
   return {std::move(fields), !quoted};
 }
 
-std::string_view without_byte_order_mark(std::string_view text) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return text.substr(text.starts_with(kMark) ? kMark.size() : 0);
+namespace {
+
+/// Name of a column by its number from 1; empty where the table has none.
+std::string column_of(const CsvTable& table, std::size_t number) {
+  if (table.rows.empty() || number > table.rows[0].fields.size()) return {};
+  return printable(table.rows[0].fields[number - 1]);
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::string& text, const std::string& file) {
+  refuse_other_kinds(text, file, "a table (CSV)");
+  CsvTable table;
+  bool told = false;
+  std::size_t at = 0;
+  for (int number = 1; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    const std::string line = text.substr(at, end - at);
+    at = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+    if (!told && line.size() == 5 && line.starts_with("sep=")) {
+      table.separator = line[4];
+      told = true;
+      continue;
+    }
+    if (!told && line.find_first_not_of(" \t") != std::string::npos) {
+      // Names of columns have none of these; a semicolon stands where commas are decimal.
+      for (const char known : {'\t', ';', ','}) {
+        table.separator = known;
+        if (line.find(known) != std::string::npos) break;
+      }
+      told = true;
+    }
+    CsvFields read = csv_fields(line, table.separator);
+    if (!read.closed)
+      throw InvalidInput({file, number, column_of(table, read.fields.size())},
+                         "a quote that is not closed", "a closing quote on the same line");
+    bool empty = true;
+    for (std::string& field : read.fields) {
+      const auto first = field.find_first_not_of(" \t"), last = field.find_last_not_of(" \t");
+      field = first == std::string::npos ? "" : field.substr(first, last - first + 1);
+      empty = empty && field.empty();
+    }
+    if (!empty) table.rows.push_back({number, std::move(read.fields)});
+  }
+  return table;
+}
+
+std::string row_hint(const CsvTable& table, const CsvTable::Row& row) {
+  if (table.rows.empty() || row.fields.size() <= table.rows[0].fields.size()) return {};
+  return table.separator == ','
+             ? "a comma in a number or a text parts it: put it in quotes, or save the table with "
+               "semicolons, or with points in its numbers"
+             : "";
 }
 
 }  // namespace loosefit::io

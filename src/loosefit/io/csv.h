@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace loosefit::io {
@@ -22,9 +21,26 @@ struct CsvFields {
   std::vector<std::string> fields;
   bool closed = true;
 };
-CsvFields csv_fields(const std::string& line);
+CsvFields csv_fields(const std::string& line, char separator = ',');
 
-/// Text without the byte order mark that spreadsheets put before UTF-8.
-std::string_view without_byte_order_mark(std::string_view text);
+/// A table of a spreadsheet.
+struct CsvTable {
+  struct Row {
+    int line = 0;  ///< of the file
+    std::vector<std::string> fields;
+  };
+  std::vector<Row> rows;  ///< the first one holds the names of the columns
+  char separator = ',';
+};
+
+/// Reads a table whatever a spreadsheet has made of it: commas, semicolons or tabs between the
+/// fields, told by the first line or by the line "sep=;" that Excel takes; lines that end in LF, CR
+/// LF or CR; blanks round fields. Lines with nothing in them are left out. `text` is UTF-8
+/// (io/text_file.h: read_plain_text). \throws InvalidInput with the line of a quote that is not
+/// closed, and for another kind of file (io/file_kind.h).
+CsvTable read_csv(const std::string& text, const std::string& file);
+
+/// Hint for a row that has not as many fields as the first one; empty without one.
+std::string row_hint(const CsvTable& table, const CsvTable::Row& row);
 
 }  // namespace loosefit::io

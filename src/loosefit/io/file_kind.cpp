@@ -1,9 +1,14 @@
 #include "loosefit/io/file_kind.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <vector>
+#include <initializer_list>
+#include <string_view>
+
+#include "loosefit/base/error.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
@@ -58,60 +63,259 @@ bool is_binary_stl(const std::string& bytes) {
   return bytes.size() == 84 + std::size_t{50} * count;
 }
 
-bool has_word(const std::string& text, const std::string& word) {
+bool has_word(const std::string& text, std::string_view word) {
   return text.find(word) != std::string::npos;
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+constexpr const char* kToMesh = "convert it to OBJ, PLY or STL";
+constexpr const char* kMotion = "it moves markers or a skeleton: it holds no surface and no pieces";
+constexpr const char* kPicture =
+    "a picture has no measures: trace it, and save the outlines as SVG";
+constexpr const char* kPlot = "export the pattern as DXF-AAMA or SVG instead";
+constexpr const char* kUnpack = "unpack it and name a file in it";
+constexpr const char* kTable = "save its table as CSV UTF-8";
+
+/// A format that announces itself in its first bytes.
+struct Signature {
+  std::string_view bytes;
+  std::size_t offset;
+  const char *name, *advice;
+};
+
+using namespace std::string_view_literals;
+
+constexpr Signature kSignatures[] = {
+    {"%PDF-"sv, 0, "a PDF document", kPlot},
+    {"%!PS"sv, 0, "a PostScript file", kPlot},
+    {"\xc5\xd0\xd3\xc6"sv, 0, "a PostScript file", kPlot},
+    {"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv, 0, "an Office document (xls, doc)", kTable},
+    {"\x1f\x8b"sv, 0, "a gzip archive", kUnpack},
+    {"7z\xbc\xaf\x27\x1c"sv, 0, "a 7z archive", kUnpack},
+    {"Rar!\x1a\x07"sv, 0, "a RAR archive", kUnpack},
+    {"BZh"sv, 0, "a bzip2 archive", kUnpack},
+    {"\xfd\x37zXZ\0"sv, 0, "an xz archive", kUnpack},
+    {"glTF"sv, 0, "a mesh (glTF)", kToMesh},
+    {"Kaydara FBX"sv, 0, "a mesh (FBX)", kToMesh},
+    {"; FBX "sv, 0, "a mesh (FBX)", kToMesh},
+    {"BLENDER"sv, 0, "a Blender file", kToMesh},
+    {"\x28\xb5\x2f\xfd"sv, 0, "a compressed Blender file or another Zstandard file", kToMesh},
+    {"#usda"sv, 0, "a mesh (USD)", kToMesh},
+    {"PXR-USDC"sv, 0, "a mesh (USD)", kToMesh},
+    {"Ogawa"sv, 0, "a mesh (Alembic)", kToMesh},
+    {"#VRML"sv, 0, "a mesh (VRML)", kToMesh},
+    {"# vtk DataFile"sv, 0, "a mesh (VTK)", kToMesh},
+    {"//Maya ASCII"sv, 0, "a Maya file", kToMesh},
+    {"ISO-10303-21;"sv, 0, "a CAD model (STEP)", kToMesh},
+    {"\x89PNG"sv, 0, "a picture (PNG)", kPicture},
+    {"\xff\xd8\xff"sv, 0, "a picture (JPEG)", kPicture},
+    {"GIF8"sv, 0, "a picture (GIF)", kPicture},
+    {"II*\0"sv, 0, "a picture (TIFF)", kPicture},
+    {"MM\0*"sv, 0, "a picture (TIFF)", kPicture},
+    {"ftyphei"sv, 4, "a picture (HEIC)", kPicture},
+    {"ftyp"sv, 4, "a film (MP4)", "it holds no surface and no pieces"},
+    {"AutoCAD Binary DXF"sv, 0, "a DXF file", ""},
+    {"AC10"sv, 0, "a DWG file", "export it as ASCII DXF"},
+    {"\x1b%-1"sv, 0, "a plot file (HPGL)", kPlot},
+    {"\x1b."sv, 0, "a plot file (HPGL)", kPlot},
+    {"\x02P"sv, 0, "a motion (C3D)", kMotion},
+    {"SQLite format 3"sv, 0, "a database (SQLite)", ""},
+    {"version https://git-lfs.github.com"sv, 0, "a Git LFS pointer, not the file it stands for",
+     "run `git lfs pull` where it was cloned, or download the file itself"},
+    {"HIERARCHY"sv, 0, "a motion (BVH)", kMotion},
+    {"PathFileType"sv, 0, "a motion (TRC)", kMotion},
+    {"OFF\n"sv, 0, "a mesh (OFF)", kToMesh},
+    {"OFF\r"sv, 0, "a mesh (OFF)", kToMesh},
+    {"ply\n"sv, 0, "a mesh (PLY)", ""},
+    {"ply\r"sv, 0, "a mesh (PLY)", ""},
+};
+
+/// Formats that are chunks of RIFF.
+FileKind in_riff(const std::string& text) {
+  if (text.compare(8, 4, "WEBP") == 0) return {"a picture (WebP)", kPicture};
+  if (text.compare(8, 3, "CDR") == 0) return {"a CorelDRAW file", kPlot};
+  return {"a film or sound (RIFF)", ""};
+}
+
+/// Formats that are a ZIP archive inside, told by the names of their parts.
+FileKind in_zip(const std::string& text) {
+  if (has_word(text, "xl/")) return {"an Excel workbook (xlsx)", kTable};
+  if (has_word(text, "word/")) return {"a Word document (docx)", kTable};
+  if (has_word(text, "opendocument.spreadsheet")) return {"a spreadsheet (ods)", kTable};
+  if (has_word(text, "opendocument.")) return {"an OpenDocument file", ""};
+  if (has_word(text, "3D/3dmodel")) return {"a mesh (3MF)", kToMesh};
+  return {"a ZIP archive", kUnpack};
+}
+
+/// Name of the first element of XML or HTML in small letters, without its prefix.
+std::string root_name(const std::string& text, std::size_t at) {
+  while ((at = text.find('<', at)) != std::string::npos) {
+    if (text.compare(at, 4, "<!--") == 0) {
+      at = text.find("-->", at);
+    } else if (text.compare(at, 2, "<?") != 0 && text.compare(at, 2, "<!") != 0) {
+      const std::size_t end = std::min(text.find_first_of(" \t\r\n/>", at + 1), text.size());
+      const std::string name = lower(text.substr(at + 1, end - at - 1));
+      return name.substr(name.find(':') == std::string::npos ? 0 : name.find(':') + 1);
+    }
+    if (at == std::string::npos) break;
+    ++at;
+  }
+  return {};
+}
+
+FileKind in_xml(const std::string& text, std::size_t start) {
+  const std::string root = root_name(text, start);
+  if (root == "svg") return {"an SVG drawing", ""};
+  if (root == "html" || lower(text.substr(start, 14)) == "<!doctype html")
+    return {"a web page", "save the file itself, not the page that shows it"};
+  if (root == "pattern" || root == "vit" || root == "vst")
+    return {"a Valentina or Seamly2D file (XML)", ""};
+  if (root == "vtkfile") return {"a mesh (VTK)", kToMesh};
+  if (root == "collada") return {"a mesh (COLLADA)", kToMesh};
+  if (root == "x3d") return {"a mesh (X3D)", kToMesh};
+  if (root == "opensimdocument") return {"a model of OpenSim", kMotion};
+  // A document type with entities may fill the beginning.
+  if (has_word(text, "<svg")) return {"an SVG drawing", ""};
+  return {"an XML file", ""};
+}
+
+bool has_keys(const std::string& text, std::initializer_list<const char*> keys) {
+  return std::all_of(keys.begin(), keys.end(),
+                     [&](const char* key) { return has_word(text, '"' + std::string(key) + '"'); });
+}
+
+/// JSON, by the keys in its beginning; GarmentCode itself is no other kind.
+FileKind in_json(const std::string& text) {
+  if (has_keys(text, {"asset", "meshes"})) return {"a mesh (glTF)", kToMesh};
+  if (has_keys(text, {"pattern", "panels"})) return {};
+  if (has_word(text, "freesewing") || has_word(text, "FreeSewing") ||
+      has_keys(text, {"paths", "ops"}) ||
+      (has_keys(text, {"settings"}) &&
+       (has_keys(text, {"parts"}) || has_keys(text, {"patterns"}) || has_keys(text, {"design"}))))
+    return {"a FreeSewing file", ""};
+  if (has_keys(text, {"measured", "landmarks"})) return {"a body.json", ""};
+  if (has_keys(text, {"FeatureCollection"}) || has_keys(text, {"Feature", "geometry"}))
+    return {"a map (GeoJSON)", ""};
+  if (has_keys(text, {"nbformat", "cells"})) return {"a notebook (Jupyter)", ""};
+  if (has_keys(text, {"layers", "fr", "op"})) return {"an animation (Lottie)", ""};
+  if (has_keys(text, {"version"}) &&
+      (has_keys(text, {"dependencies"}) || has_keys(text, {"devDependencies"}) ||
+       has_keys(text, {"scripts"}) || has_keys(text, {"lockfileVersion"})))
+    return {"a package.json of Node", ""};
+  return {};
+}
+
+/// Whether a bracket opens a list of JSON, and not a section of TOML.
+bool is_json_list(const std::string& text, std::size_t start) {
+  std::size_t at = start;
+  while (at < text.size() && (text[at] == '[' || is_space(text[at]))) ++at;
+  if (at == text.size()) return false;
+  const char c = text[at];
+  const auto digit = [](char d) { return std::isdigit(static_cast<unsigned char>(d)) != 0; };
+  if (c == '{' || (c == ']' && text.find('=') == std::string::npos)) return true;
+  if (c == '-') return at + 1 < text.size() && digit(text[at + 1]);
+  return (c == '"' || digit(c)) && text.find('=') == std::string::npos;
+}
+
+/// Instructions of two capital letters, each with its numbers, as a plotter takes them.
+bool is_hpgl(const std::string& text, std::size_t start) {
+  const std::string_view first = std::string_view(text).substr(start, 2);
+  constexpr std::string_view kOpening[] = {"IN", "DF", "SP", "PU", "PD", "PA", "PR",
+                                           "IP", "SC", "VS", "RO", "LT", "PS"};
+  const bool opens =
+      std::find(std::begin(kOpening), std::end(kOpening), first) != std::end(kOpening);
+  if (!opens) return false;
+  const std::string some = text.substr(start, 2000);
+  const bool only = std::all_of(some.begin(), some.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || std::isdigit(static_cast<unsigned char>(c)) || is_space(c) ||
+           c == ';' || c == ',' || c == '-' || c == '.';
+  });
+  return only && some.find_first_of("0123456789") != std::string::npos && has_word(some, ";") &&
+         (has_word(some, "PU") || has_word(some, "PD"));
+}
+
+bool is_key(const std::string& word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' ||
+           c == '"' || c == ' ';
+  });
+}
+
+bool is_toml(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (line[0] == '#') continue;
+    if (line.starts_with("sep=")) return false;  // a table of Excel
+    if (line[0] == '[') return line.find(']') != std::string::npos && !is_json_list(line, 0);
+    const std::size_t equal = line.find('=');
+    return equal != std::string::npos && is_key(line.substr(0, equal));
+  }
+  return false;
+}
+
+bool is_yaml(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (line[0] == '#') continue;
+    if (line == "---" || line.starts_with("%YAML")) return true;
+    return line.back() == ':' && is_key(line.substr(0, line.size() - 1)) && lines.size() > 1;
+  }
+  return false;
+}
+
+bool is_binary(const std::string& text) {
+  const std::string_view some = std::string_view(text).substr(0, 4096);
+  return some.find('\0') != std::string_view::npos;
 }
 
 }  // namespace
 
-std::string kind_of_file(const std::string& bytes) {
-  std::string text = bytes.substr(0, kBeginning);
-  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+FileKind recognise_file(const std::string& bytes) {
+  for (const Signature& s : kSignatures)
+    if (bytes.size() >= s.offset + s.bytes.size() &&
+        std::string_view(bytes).substr(s.offset, s.bytes.size()) == s.bytes)
+      return {s.name, s.advice};
+  if (bytes.starts_with("RIFF") && bytes.size() > 12) return in_riff(bytes.substr(0, 12));
+  if (bytes.starts_with("PK\x03\x04")) return in_zip(bytes.substr(0, kBeginning));
+  const std::string text = plain_text(bytes.substr(0, kBeginning));
   const std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == std::string::npos) return "an empty file";
-  // Formats that announce themselves in their first bytes.
-  if (text.starts_with("%PDF-")) return "a PDF document";
-  if (text.starts_with("PK\x03\x04")) return "a ZIP archive";
-  if (text.starts_with("\x1f\x8b")) return "a gzip archive";
-  if (text.starts_with("glTF")) return "a mesh (glTF)";
-  if (text.starts_with("Kaydara FBX")) return "a mesh (FBX)";
-  if (text.starts_with("\x89PNG")) return "a picture (PNG)";
-  if (text.starts_with("\xff\xd8\xff")) return "a picture (JPEG)";
-  if (text.starts_with("AutoCAD Binary DXF")) return "a DXF file";
-  if (text.starts_with("AC10")) return "a DWG file";
-  if (text.starts_with("%!PS")) return "a PostScript file";
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "a mesh (PLY)";
-  // DXF as text has no such bytes: pairs of lines, a code and a value.
+  if (start == std::string::npos)
+    return {"an empty file", "save it again, or fetch it again where it came from"};
+  // DXF as text has no first bytes of its own: pairs of lines, a code and a value.
   const std::vector<std::string> lines = first_lines(text, 200);
-  if (is_dxf(lines)) return "a DXF file";
-  // XML of all sorts, by the elements in its beginning.
-  if (text[start] == '<') {
-    if (has_word(text, "<svg")) return "an SVG drawing";
-    if (has_word(text, "<pattern") || has_word(text, "<vit"))
-      return "a Valentina or Seamly2D file (XML)";
-    if (has_word(text, "<VTKFile")) return "a mesh (VTK)";
-    if (has_word(text, "<COLLADA")) return "a mesh (COLLADA)";
-    if (has_word(text, "<html") || has_word(text, "<!DOCTYPE html")) return "a web page";
-    return "an XML file";
+  if (is_dxf(lines)) return {"a DXF file", ""};
+  if (text[start] == '<') return in_xml(text, start);
+  if (text[start] == '{') return in_json(text);
+  if (text[start] == '[' && is_json_list(text, start)) {
+    const FileKind inner = in_json(text);
+    return inner.name.empty() ? FileKind{"a JSON list", ""} : inner;
   }
-  // JSON, by the keys in its beginning; GarmentCode itself is no other kind.
-  if (text[start] == '{') {
-    if (has_word(text, "\"asset\"") && has_word(text, "\"meshes\"")) return "a mesh (glTF)";
-    if (has_word(text, "\"pattern\"") && has_word(text, "\"panels\"")) return {};
-    if (has_word(text, "freesewing") || has_word(text, "FreeSewing") ||
-        (has_word(text, "\"paths\"") && has_word(text, "\"ops\"")) ||
-        (has_word(text, "\"settings\"") &&
-         (has_word(text, "\"parts\"") || has_word(text, "\"patterns\"") ||
-          has_word(text, "\"design\""))))
-      return "a FreeSewing file";
-    if (has_word(text, "\"measured\"") && has_word(text, "\"landmarks\"")) return "a body.json";
-    return {};
-  }
-  // Meshes without a mark of their own come last: these tests may err.
-  if (text.starts_with("solid") && has_word(text, "facet")) return "a mesh (STL)";
-  if (is_binary_stl(bytes)) return "a mesh (STL)";
-  if (is_obj(lines)) return "a mesh (OBJ)";
+  // Meshes and others without a mark of their own come last: these tests may err.
+  if (text.starts_with("solid") && has_word(text, "facet")) return {"a mesh (STL)", ""};
+  if (is_binary_stl(bytes)) return {"a mesh (STL)", ""};
+  if (is_obj(lines)) return {"a mesh (OBJ)", ""};
+  if (has_word(text, "endheader") && has_word(text, "nRows"))
+    return {"a motion (OpenSim)", kMotion};
+  if (is_hpgl(text, start)) return {"a plot file (HPGL)", kPlot};
+  if (is_toml(lines)) return {"a TOML file", ""};
+  if (is_yaml(lines)) return {"a YAML file", ""};
+  if (is_binary(text)) return {kUnknownBinary, ""};
   return {};
+}
+
+std::string kind_of_file(const std::string& bytes) { return recognise_file(bytes).name; }
+
+void refuse_other_kinds(const std::string& bytes, const std::string& file,
+                        const std::string& expected, const std::vector<std::string>& read_here,
+                        const std::string& hint) {
+  const FileKind kind = recognise_file(bytes);
+  if (kind.name.empty() ||
+      std::find(read_here.begin(), read_here.end(), kind.name) != read_here.end())
+    return;
+  throw InvalidInput({file, 0, {}}, kind.name, expected,
+                     kind.advice + (kind.advice.empty() || hint.empty() ? "" : "; ") + hint);
 }
 
 }  // namespace loosefit::io

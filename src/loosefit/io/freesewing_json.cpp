@@ -258,7 +258,7 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
 
 PatternFile read_freesewing_json(const std::filesystem::path& path, const PatternWish& wish) {
   PatternFile result =
-      parse_freesewing_json(read_text_file(path.string(), kLargestFile), path.string(), wish);
+      parse_freesewing_json(read_plain_text(path.string(), kLargestFile), path.string(), wish);
   result.pattern.name = path.stem().string();
   return result;
 }

@@ -275,17 +275,31 @@ std::vector<std::string> read_panel_order(const Node& pattern, const pattern::Pa
 
 constexpr const char* kExpected = "GarmentCode JSON (NAME_specification.json)";
 
+constexpr const char* kPatterns =
+    "patterns are read from GarmentCode JSON, DXF-AAMA, SVG, FreeSewing JSON and .val of "
+    "Valentina; "
+    "`loosefit pattern -o DIR` writes GarmentCode JSON";
+
 /// Files that hold garments in other forms are told by their kind instead of their first bad
 /// letter.
-void refuse_other_kinds(const std::string& text, const std::string& file) {
-  const std::string kind = kind_of_file(text);
-  if (kind.empty()) return;
-  throw InvalidInput(
-      {file, 0, {}}, kind, kExpected,
-      kind.find("mesh") != std::string::npos
-          ? "a mesh has no flat pieces; a scanned body is read by body.file"
-          : "patterns are read from GarmentCode JSON, DXF-AAMA, SVG and FreeSewing JSON; "
-            "`loosefit pattern -o DIR` writes GarmentCode JSON");
+void refuse_no_pattern(const std::string& text, const std::string& file) {
+  const FileKind kind = recognise_file(text);
+  if (kind.name.find("mesh") != std::string::npos)
+    throw InvalidInput({file, 0, {}}, kind.name, kExpected,
+                       "a mesh has no flat pieces; a scanned body is read by body.file");
+  refuse_other_kinds(text, file, kExpected, {}, kPatterns);
+}
+
+/// JSON of a program that nobody here knows, told by its keys.
+void refuse_other_json(const Json& json, const std::string& file) {
+  if (!json.is_object() || json.contains("pattern")) return;
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items())
+    if (keys.size() < 6) keys.push_back('"' + printable(key, 30) + '"');
+  throw InvalidInput({file, 0, {}},
+                     keys.empty() ? std::string("a JSON object without keys")
+                                  : "JSON of another program (keys " + join(keys) + ")",
+                     kExpected, kPatterns);
 }
 
 /// Keys that are neither read nor known to mean nothing here, each once for the whole file.
@@ -356,7 +370,7 @@ Json parse_json(const std::string& text, const std::string& file) {
     std::string what = e.what();  // "[json.exception.…] parse error at line …: syntax error …"
     const std::size_t detail = what.find("syntax error");
     what = detail == std::string::npos ? "text that is not JSON" : what.substr(detail);
-    throw InvalidInput(InputPlace{file, line, {}}, printable(what, 160), "JSON");
+    throw InvalidInput(InputPlace{file, line, {}}, printable(what, 160), "JSON", kPatterns);
   } catch (const Json::exception&) {
     throw InvalidInput(InputPlace{file, 0, {}}, "a number that is out of range", "JSON");
   }
@@ -366,8 +380,9 @@ Json parse_json(const std::string& text, const std::string& file) {
 
 PatternFile parse_garmentcode(const std::string& text, const std::string& file) {
   PatternFile result;
-  refuse_other_kinds(text, file);
+  refuse_no_pattern(text, file);
   const Json json = parse_json(text, file);
+  refuse_other_json(json, file);
   const Node root{json, "", file};
   const FileRules rules = read_rules(root.object(), result.warnings);
   const Node pattern = root.at("pattern"), panels = pattern.object().at("panels").object();
@@ -411,7 +426,7 @@ PatternFile read_garmentcode(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, ignored))
     throw InvalidInput({path.string(), 0, {}}, "a folder", kExpected);
   PatternFile result =
-      parse_garmentcode(read_text_file(path.string(), kLargestFile), path.string());
+      parse_garmentcode(read_plain_text(path.string(), kLargestFile), path.string());
   result.pattern.name = path.stem().string();
   const std::string suffix = "_specification";
   if (result.pattern.name.ends_with(suffix))

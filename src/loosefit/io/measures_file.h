@@ -8,7 +8,9 @@ namespace loosefit::io {
 
 /// Measures for a draft from JSON: the "measured" object of a body.json, or an object with the
 /// names themselves [m, rad]; KindMeasure::name or KindMeasure::of_body. Other names are ignored.
-/// \throws IoError; InvalidInput naming what is missing or no number.
+/// A number may stand in quotes, with a decimal comma too.
+/// \throws IoError; InvalidInput naming what is missing, no number, or so far from what people
+/// measure that it is in another unit.
 kinds::NamedValues read_measures(const std::filesystem::path& path,
                                  const std::vector<kinds::KindMeasure>& measures);
 

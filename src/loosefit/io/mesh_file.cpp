@@ -7,14 +7,20 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <utility>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/file_kind.h"
 #include "loosefit/io/mesh_obj.h"
 #include "loosefit/io/mesh_ply.h"
 #include "loosefit/io/mesh_stl.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
+
+constexpr const char *kObj = "a mesh (OBJ)", *kPly = "a mesh (PLY)", *kStl = "a mesh (STL)";
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -23,16 +29,44 @@ std::string extension_of(const std::string& path) {
 }
 
 geometry::TriangleMesh parse(const std::string& bytes, const std::string& path) {
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return parse_ply(bytes, path);
-  const std::string extension = extension_of(path);
-  if (extension == ".stl") return parse_stl(bytes, path);
-  if (extension == ".obj") return parse_obj(bytes, path);
+  const std::string kind = kind_of_file(bytes), extension = extension_of(path);
+  if (kind == kPly) return parse_ply(bytes, path);
+  if (kind == kStl) return parse_stl(bytes, path);
+  if (kind == kObj) return parse_obj(plain_text(bytes), path);
+  // An STL that is cut off has nothing that tells it but its name.
+  if (extension == ".stl" && (kind.empty() || kind == kUnknownBinary))
+    return parse_stl(bytes, path);
+  refuse_other_kinds(bytes, path, "a surface (OBJ, PLY or STL)");
+  if (extension == ".obj") return parse_obj(plain_text(bytes), path);
   if (bytes.starts_with("solid")) return parse_stl(bytes, path);
   if (extension == ".ply")
     throw InvalidInput({path, 1, ""}, "something else",
                        "the word ply, with which a PLY file starts");
   throw InvalidInput({path, 0, ""}, extension.empty() ? "no extension" : "extension " + extension,
                      "an .obj, .ply or .stl surface");
+}
+
+/// What comments of an OBJ or a PLY say of the unit, as in "# File units = inches" and in our own
+/// "# metres, z up"; empty when they say nothing.
+std::string stated_unit(const std::string& bytes) {
+  static const std::regex comment(R"((?:#|comment\b|obj_info\b)([^\r\n]*))"),
+      unit(R"(\b(?:model |file )?units?\b\s*[=:]?\s*(?:are |in )?"?([a-z]+))", std::regex::icase),
+      ours(R"(^\s*(metres),)");
+  const std::string head = bytes.substr(0, 4000);
+  for (std::sregex_iterator at(head.begin(), head.end(), comment), end; at != end; ++at) {
+    const std::string text = (*at)[1].str();
+    std::smatch found;
+    if (!std::regex_search(text, found, unit) && !std::regex_search(text, found, ours)) continue;
+    std::string word = found[1].str();
+    for (char& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
+    for (const auto& [name, words] :
+         {std::pair{"mm", "mm millimeter millimeters millimetre millimetres"},
+          {"cm", "cm centimeter centimeters centimetre centimetres"},
+          {"m", "m meter meters metre metres"},
+          {"in", "in inch inches"}})
+      if ((" " + std::string(words) + " ").find(" " + word + " ") != std::string::npos) return name;
+  }
+  return {};
 }
 
 // Scans carry slivers whose corners coincide; they have no normal and no area.
@@ -56,12 +90,16 @@ MeshFile read_mesh(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw IoError(path + ": cannot read the surface", "does the file exist?");
   const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  MeshFile file{parse(bytes, path), {}};
+  MeshFile file{parse(bytes, path), {}, {}};
+  if (kind_of_file(bytes) != kStl) file.units = stated_unit(bytes);
   if (file.mesh.vertices.empty() || file.mesh.triangles.empty()) {
     throw InvalidInput({path, 0, ""},
                        fmt::format("{} vertices and {} faces", file.mesh.vertices.size(),
                                    file.mesh.triangles.size()),
-                       "a surface");
+                       "a surface",
+                       file.mesh.vertices.size() > 3
+                           ? "points without faces are no surface: mesh them first, as MeshLab does"
+                           : "");
   }
   drop_degenerate(file);
   return file;

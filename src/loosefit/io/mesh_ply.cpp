@@ -1,9 +1,11 @@
 #include "loosefit/io/mesh_ply.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/polygon_fan.h"
@@ -11,6 +13,8 @@
 
 namespace loosefit::io {
 namespace {
+
+constexpr double kMostCorners = 1000, kMostOfStrips = 1e8;  // entries of a list
 
 enum class Kind { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -29,6 +33,7 @@ struct Element {
 
 struct Header {
   bool binary = false;
+  bool big = false;  ///< numbers begin with their high byte
   std::vector<Element> elements;
 };
 
@@ -69,9 +74,11 @@ Header read_header(TextLines& lines) {
     // One kind of line after the other; properties belong to the element above them.
     if (words[0] == "format" && words.size() >= 2) {
       has_format = true;
-      header.binary = words[1] == "binary_little_endian";
+      header.big = words[1] == "binary_big_endian";
+      header.binary = header.big || words[1] == "binary_little_endian";
       if (!header.binary && words[1] != "ascii") {
-        lines.fail("format " + printable(std::string(words[1])), "ascii or binary_little_endian");
+        lines.fail("format " + printable(std::string(words[1])),
+                   "ascii, binary_little_endian or binary_big_endian");
       }
     } else if (words[0] == "element" && words.size() == 3) {
       const long count = lines.integer_of(words[2]);
@@ -94,11 +101,11 @@ Header read_header(TextLines& lines) {
 /// Hands out the numbers of the body one by one, from text or bytes.
 class Values {
  public:
-  Values(TextLines& lines, std::string_view bytes, bool binary)
-      : lines_(lines), bytes_(bytes), at_(lines.offset()), binary_(binary) {}
+  Values(TextLines& lines, std::string_view bytes, const Header& header)
+      : lines_(lines), bytes_(bytes), at_(lines.offset()), header_(header) {}
 
   double next(Kind kind) {
-    if (!binary_) return next_word();
+    if (!header_.binary) return next_word();
     switch (kind) {
       case Kind::int8:
         return take<std::int8_t>();
@@ -124,8 +131,11 @@ class Values {
   template <class T>
   double take() {
     if (bytes_.size() - at_ < sizeof(T)) lines_.fail("the end of the file", "more data");
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
+    if (header_.big) std::reverse(raw.begin(), raw.end());
     T value;
-    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
+    std::memcpy(&value, raw.data(), sizeof(T));
     at_ += sizeof(T);
     return double(value);
   }
@@ -141,7 +151,7 @@ class Values {
   TextLines& lines_;
   std::string_view bytes_;
   std::size_t at_;
-  bool binary_;
+  const Header& header_;
   std::vector<std::string_view> words_;
   std::size_t word_ = 0;
 };
@@ -163,13 +173,32 @@ void read_face(const TextLines& lines, const std::vector<double>& written, std::
   add_polygon(corners, mesh);
 }
 
+/// Strips of triangles one after the other, each ended by a −1; every second triangle of a strip
+/// runs the other way round.
+void read_strips(const TextLines& lines, const std::vector<double>& written,
+                 std::size_t vertex_count, geometry::TriangleMesh& mesh) {
+  std::size_t from = 0;
+  for (std::size_t k = 0; k < written.size(); ++k) {
+    if (written[k] == -1) {
+      from = k + 1;
+    } else if (k >= from + 2) {
+      std::vector<double> corners(written.begin() + std::ptrdiff_t(k) - 2,
+                                  written.begin() + std::ptrdiff_t(k) + 1);
+      if ((k - from) % 2 == 1) std::swap(corners[0], corners[1]);
+      // Strips are joined by triangles without area.
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+        read_face(lines, corners, vertex_count, mesh);
+    }
+  }
+}
+
 }  // namespace
 
 geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
   TextLines lines(bytes, path);
   const Header header = read_header(lines);
   geometry::TriangleMesh mesh;
-  Values values(lines, bytes, header.binary);
+  Values values(lines, bytes, header);
   // Faces may stand before the vertices they refer to.
   std::size_t vertex_count = 0;
   for (const auto& element : header.elements) {
@@ -191,11 +220,14 @@ geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path
         }
         // Lists: those of a face that hold its corners.
         const double count = values.next(property.count_kind);
-        if (!(count >= 0 && count <= 1000))
-          lines.fail(shortest(count) + " list entries", "0 to 1000");
+        const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
+        const bool strips = element.name == "tristrips" && corners;
+        const double most = strips ? kMostOfStrips : kMostCorners;
+        if (!(count >= 0 && count <= most))
+          lines.fail(shortest(count) + " list entries", "0 to " + shortest(most));
         std::vector<double> list;
         for (int k = 0; k < int(count); ++k) list.push_back(values.next(property.kind));
-        const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
+        if (strips) read_strips(lines, list, vertex_count, mesh);
         if (element.name == "face" && corners) read_face(lines, list, vertex_count, mesh);
       }
       if (element.name == "vertex") {

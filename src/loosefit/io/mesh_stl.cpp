@@ -52,26 +52,52 @@ geometry::TriangleMesh parse_binary(std::string_view bytes, const std::string& p
   return mesh;
 }
 
+std::uint32_t announced(std::string_view bytes) {
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  return count;
+}
+
+/// Whether it reads as text: a binary file has zeros in its first numbers.
+bool is_text(std::string_view bytes) {
+  return bytes.substr(0, 1000).find('\0') == std::string_view::npos;
+}
+
+/// \throws InvalidInput, always, with what is wrong with a binary file of that length.
+[[noreturn]] void refuse_length(std::string_view bytes, const std::string& path) {
+  if (bytes.size() < kHeaderBytes)
+    throw InvalidInput({path, 0, ""}, std::to_string(bytes.size()) + " bytes",
+                       "a binary STL, whose head alone has 84",
+                       "the file is cut off: copy or export it again");
+  const std::size_t room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
+  const std::uint32_t count = announced(bytes);
+  throw InvalidInput(
+      {path, 0, ""},
+      std::to_string(count) + " triangles announced, bytes for " + std::to_string(room),
+      "a binary STL with 50 bytes for each triangle",
+      room < count ? "the file is cut off, or no STL: copy or export it again"
+                   : "the file was changed on its way, as by a copy in text mode: copy it again");
+}
+
 }  // namespace
 
 geometry::TriangleMesh parse_stl(std::string_view bytes, const std::string& path) {
   // A binary file says its own length; its header may start with "solid" too.
-  if (bytes.size() >= kHeaderBytes) {
-    std::uint32_t count = 0;
-    std::memcpy(&count, bytes.data() + 80, sizeof count);
-    if (bytes.size() == kHeaderBytes + count * kTriangleBytes)
-      return parse_binary(bytes, path, count);
-  }
+  if (bytes.size() >= kHeaderBytes &&
+      bytes.size() == kHeaderBytes + announced(bytes) * kTriangleBytes)
+    return parse_binary(bytes, path, announced(bytes));
+  if (!is_text(bytes)) refuse_length(bytes, path);
   geometry::TriangleMesh mesh;
   Welder weld(mesh);
   TextLines lines(bytes, path);
   std::vector<int> corners;
-  bool solid = false;
+  bool solid = false, ended = false;
   while (lines.next()) {
     const auto words = lines.words();
     if (words.empty()) continue;
-    if (words[0] == "solid") solid = true;
+    if (words[0] == "solid") solid = true, ended = false;
     if (!solid) lines.fail("something else", "a binary STL of the length it states, or \"solid\"");
+    ended = ended || words[0] == "endsolid";
     if (words[0] == "vertex") {
       if (words.size() != 4) lines.fail(std::to_string(words.size() - 1) + " coordinates", "three");
       corners.push_back(weld.vertex(
@@ -83,6 +109,11 @@ geometry::TriangleMesh parse_stl(std::string_view bytes, const std::string& path
     }
   }
   if (!corners.empty()) lines.fail("the end of the file", "endloop");
+  if (!ended)
+    throw InvalidInput(
+        {path, lines.number(), ""},
+        "the end of the file after " + std::to_string(mesh.triangles.size()) + " triangles",
+        "endsolid", "the file is cut off: copy or export it again");
   return mesh;
 }
 

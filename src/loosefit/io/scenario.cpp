@@ -10,7 +10,6 @@
 #include "loosefit/io/scenario_site.h"
 #include "loosefit/io/scenario_under.h"
 #include "loosefit/io/scenario_wear.h"
-#include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 
 namespace loosefit::io {
@@ -91,7 +90,7 @@ scenario::Scenario parse_scenario(const std::string& text, const std::string& fi
 }
 
 scenario::Scenario read_scenario(const std::string& path) {
-  return parse_scenario(read_text_file(path, 1000000), path);
+  return parse_scenario(read_toml_text(path), path);
 }
 
 scenario::Scenario default_scenario() { return parse_scenario("", ""); }

@@ -9,14 +9,12 @@
 #include "loosefit/base/text.h"
 #include "loosefit/body/regions.h"
 #include "loosefit/io/config_reader.h"
-#include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "loosefit/placement/derived_metrics.h"
 
 namespace loosefit::io {
 namespace {
 
-constexpr std::size_t kMaxBytes = 1000000;
 const NumberRange kLimits{-1e6, 1e6, "a number"};
 
 std::string required_text(ConfigReader& table, const std::string& key, const char* expected) {
@@ -164,7 +162,7 @@ placement::Scorecard load_scorecard(const std::string& name_or_path, bool of_lin
 }
 
 placement::Scorecard read_scorecard_file(const std::filesystem::path& path) {
-  return parse_scorecard(read_text_file(path.string(), kMaxBytes), path.string());
+  return parse_scorecard(read_toml_text(path.string()), path.string());
 }
 
 placement::Scorecard parse_scorecard(const std::string& text, const std::string& file) {

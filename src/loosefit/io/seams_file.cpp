@@ -11,7 +11,6 @@
 #include "loosefit/io/band_table.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/elastic_table.h"
-#include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "loosefit/pattern/named_cloth.h"
 #include "loosefit/pattern/named_edges.h"
@@ -20,8 +19,7 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kGathered = 0.1;  // difference of lengths that is told, of the longer side
-constexpr std::size_t kLargestFile = 1 << 20;
+constexpr double kGathered = 0.1;        // difference of lengths that is told, of the longer side
 constexpr std::size_t kLongestRun = 50;  // edges
 
 /// An edge that is not sewn yet.
@@ -234,7 +232,7 @@ void parse_seams(const std::string& text, const std::string& file, PatternFile& 
 }
 
 void read_seams(const std::filesystem::path& path, PatternFile& into) {
-  parse_seams(read_text_file(path.string(), kLargestFile), path.string(), into);
+  parse_seams(read_toml_text(path.string()), path.string(), into);
 }
 
 std::string seams_text(const pattern::Pattern& pattern, const pattern::SeamProposals& proposals) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
@@ -35,6 +36,10 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
   }
   if (std::ferror(file.get())) throw IoError(path + ": cannot be read: " + cause());
   return text;
+}
+
+std::string read_plain_text(const std::string& path, std::size_t max_bytes) {
+  return plain_text(read_text_file(path, max_bytes));
 }
 
 void write_text_file(const std::string& path, const std::string& text) {

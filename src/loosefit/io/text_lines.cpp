@@ -1,10 +1,12 @@
 #include "loosefit/io/text_lines.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
@@ -16,9 +18,9 @@ constexpr std::string_view kBlank = " \t\r";
 
 bool TextLines::next() {
   if (at_ >= text_.size()) return false;
-  const std::size_t end = text_.find('\n', at_);
-  line_ = text_.substr(at_, end == std::string_view::npos ? end : end - at_);
-  at_ = end == std::string_view::npos ? text_.size() : end + 1;
+  const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+  line_ = text_.substr(at_, end - at_);
+  at_ = std::min(end + (text_.substr(end, 2) == "\r\n" ? 2 : 1), text_.size());
   ++number_;
   return true;
 }
@@ -35,12 +37,9 @@ std::vector<std::string_view> TextLines::words() const {
 }
 
 double TextLines::number_of(std::string_view word) const {
-  if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size() || !(std::abs(value) < kLargest)) {
+  if (!number_in(word, value) || !(std::abs(value) < kLargest))
     fail("\"" + printable(std::string(word)) + "\"", "a coordinate");
-  }
   return value;
 }
 

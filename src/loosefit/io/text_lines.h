@@ -6,8 +6,8 @@
 
 namespace loosefit::io {
 
-/// Splits the text of a file into lines and words and counts the lines for error messages. Keeps a
-/// reference to the text.
+/// Splits the text of a file into lines and words and counts the lines for error messages. Lines
+/// end in LF, CR LF or CR. Keeps a reference to the text.
 class TextLines {
  public:
   TextLines(std::string_view text, std::string path) : text_(text), path_(std::move(path)) {}
@@ -16,7 +16,8 @@ class TextLines {
   std::vector<std::string_view> words() const;
   std::size_t offset() const { return at_; }  ///< of the byte behind the current line
   int number() const { return number_; }
-  /// \throws InvalidInput when the word is no finite number below 1e9 in size.
+  /// A decimal comma is a point. \throws InvalidInput when the word is no finite number below 1e9
+  /// in size.
   double number_of(std::string_view word) const;
   /// \throws InvalidInput when the word is no whole number.
   long integer_of(std::string_view word) const;

@@ -90,11 +90,30 @@ std::string lean_in_words(double bend) {
                      degrees(std::abs(bend)));
 }
 
+/// The unit that a file states, if a person of it can stand there; empty otherwise.
+std::string unit_of_file(const io::MeshFile& file, std::vector<std::string>& warnings) {
+  constexpr double kShortest = 0.5, kTallest = 2.75;  // as what a user says (body/scan_frame.cpp)
+  if (file.units.empty()) return {};
+  const double metre = file.units == "m"    ? 1
+                       : file.units == "cm" ? 0.01
+                       : file.units == "mm" ? 0.001
+                                            : 0.0254;
+  Vec3 low = Vec3::Constant(1e300), high = -low;
+  for (const Vec3& p : file.mesh.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double stature = (high - low).maxCoeff() * metre;
+  const bool stands = stature >= kShortest && stature <= kTallest;
+  warnings.push_back(fmt::format(
+      "units: the file says {}, in which it is {:.3g} m tall{}", file.units, stature,
+      stands ? "; taken so (body.units or --units says otherwise)" : ", as nobody is: not taken"));
+  return stands ? file.units : std::string();
+}
+
 CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress) {
   io::MeshFile file = io::read_mesh(wished.file);
-  const body::ScanOptions options{.file = wished.file, .units = wished.units, .up = wished.up};
-  std::optional<body::ScanPerson> person = registered(file.mesh, options);
   std::vector<std::string> warnings = std::move(file.warnings);
+  body::ScanOptions options{.file = wished.file, .units = wished.units, .up = wished.up};
+  if (options.units.empty()) options.units = unit_of_file(file, warnings);
+  std::optional<body::ScanPerson> person = registered(file.mesh, options);
   const auto add = [&](const std::vector<std::string>& more) {
     warnings.insert(warnings.end(), more.begin(), more.end());
   };

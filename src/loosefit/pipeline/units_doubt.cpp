@@ -16,7 +16,7 @@ namespace {
 constexpr double kLoosest = 2.2, kTightest = 0.6;        // garment over body
 constexpr double kNobodyLarge = 5, kNobodySmall = 0.45;  // beyond them nothing can be worn
 constexpr double kUsualEase = 1.1;                       // garment over body
-constexpr double kLongest = 3, kShortest = 0.12;         // of a largest piece [m]
+constexpr double kLongest = 3, kShortest = 0.05;         // of a largest piece [m]
 constexpr double kLongestStrip = 50;                     // [m]
 constexpr double kUsualPiece = 0.7;                      // [m]
 constexpr double kFactors[] = {2.54, 10, 25.4, 100, 1000};

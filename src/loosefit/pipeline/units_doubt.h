@@ -20,9 +20,9 @@ struct UnitsDoubt {
 /// it is a doubt: loose coats on small adults and children's clothes on adults lie within. A waist
 /// counts as long as elastics leave it. Other tubes are not judged: nobody knows for which limb
 /// they are. Before that every pattern is judged by its pieces, in doubt and worn by nobody when
-/// the largest is below 0.12 m, the largest one that is no strip above 3 m, or any above 50 m.
-/// The factor is that of centimetres, millimetres, metres and inches taken for each other which
-/// brings the girth nearest to 1.1 times the body's, or the piece to 0.7 m.
+/// the largest is below 0.05 m (a cup or a cuff is longer), the largest one that is no strip above
+/// 3 m, or any above 50 m. The factor is that of centimetres, millimetres, metres and inches taken
+/// for each other which brings the girth nearest to 1.1 times the body's, or the piece to 0.7 m.
 UnitsDoubt units_doubt(const pattern::Pattern& pattern, const std::vector<kinds::FitLevel>& levels);
 
 }  // namespace loosefit::pipeline

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -14,6 +14,7 @@
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/io/scenario_body.h"
+#include "loosefit/io/text_encoding.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "loosefit/placement/resample.h"
@@ -105,33 +106,57 @@ std::vector<double> correlated(const PopulationGroup& group, const std::vector<d
   return scores;
 }
 
-/// Fields without the blanks around them.
-std::vector<std::string> fields_of(std::string line, const InputPlace& place) {
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  io::CsvFields read = io::csv_fields(line);
-  if (!read.closed)
-    throw InvalidInput(place, "a quote that is not closed", "a closing quote on the same line");
-  for (std::string& field : read.fields) {
-    const auto first = field.find_first_not_of(" \t"), last = field.find_last_not_of(" \t");
-    field = first == std::string::npos ? "" : field.substr(first, last - first + 1);
-  }
-  return read.fields;
-}
-
-double number_of(const std::string& text, const io::NumberRange& range, const InputPlace& place) {
+double number_of(const std::string& text, const io::NumberRange& range, double unit,
+                 const InputPlace& place) {
   double value = 0;
-  const char* const stop = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), stop, value);
-  const bool number = error == std::errc{} && end == stop;
-  if (!number || !(value >= range.low && value <= range.high)) {
-    const bool comma = text.find(',') != std::string::npos;
+  const bool number = io::number_in(text, value);
+  value *= unit;
+  if (!number || !(value >= range.low && value <= range.high))
     throw InvalidInput(place, "\"" + printable(text) + "\"",
                        fmt::format("{} from {:g} to {:g}", range.what, range.low, range.high),
-                       number  ? io::unit_hint(value, range)
-                       : comma ? "decimals have a point"
-                               : "");
-  }
+                       number && unit == 1 ? io::unit_hint(value, range) : "");
   return value;
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// A column of a table of people.
+struct Column {
+  std::string name;  ///< of what is known, or as the table has it
+  double unit = 1;   ///< [m]
+};
+
+/// "Upper arm (cm)": the name in small letters, with a unit behind it.
+Column column_of(const std::string& head) {
+  Column column{head};
+  if (const std::size_t open = head.find_last_of("([");
+      open != std::string::npos && (head.back() == ')' || head.back() == ']')) {
+    const std::string unit = lower(head.substr(open + 1, head.size() - open - 2));
+    for (const auto& [name, metres] :
+         {std::pair{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"years", 1.0}})
+      if (unit == name) column = {head.substr(0, open), metres};
+  }
+  while (!column.name.empty() && column.name.back() == ' ') column.name.pop_back();
+  column.name = lower(column.name);
+  for (char& c : column.name)
+    if (c == ' ' || c == '-') c = '_';
+  if (column.name == "stature") column.name = "height";
+  if (column.name == "gender") column.name = "sex";
+  return column;
+}
+
+/// Of the body model. Letters that mean a woman in one language and a man in another have no
+/// meaning here.
+double sex_in(const std::string& text, const InputPlace& place) {
+  const std::string word = lower(text);
+  for (const char* known : {"female", "f", "woman", "w", "weiblich", "femme", "mujer", "donna"})
+    if (word == known) return 0;
+  for (const char* known : {"male", "m", "man", "männlich", "maennlich", "homme", "hombre", "uomo"})
+    if (word == known) return 1;
+  return number_of(text, {0, 1, "female, male or a number"}, 1, place);
 }
 
 }  // namespace
@@ -153,7 +178,7 @@ Anthropometry load_anthropometry(const std::string& name) {
     throw InvalidInput({"", 0, "statistics"}, "\"" + printable(name) + "\"",
                        "the name of anthropometric statistics", did_you_mean(name, names));
   const fs::path path = folder() / (name + ".toml");
-  return parse_anthropometry(io::read_text_file(path.string(), 1000000), path.string());
+  return parse_anthropometry(io::read_toml_text(path.string()), path.string());
 }
 
 Anthropometry parse_anthropometry(const std::string& text, const std::string& file) {
@@ -228,52 +253,49 @@ std::vector<Person> draw_people(const Anthropometry& from, const PeopleWish& wis
 
 std::vector<Person> read_people_csv(const fs::path& path) {
   const std::string file = path.string();
-  const std::string text(io::without_byte_order_mark(io::read_text_file(file, 10000000)));
-  std::vector<std::string> head;
-  std::vector<Person> people;
-  std::set<std::string> names;
+  const io::CsvTable table = io::read_csv(io::read_plain_text(file, 10000000), file);
+  if (table.rows.empty()) throw InvalidInput({file, 0, ""}, "nobody", "a line of names and people");
   std::vector<std::string> known = body::measure_names();
   known.insert(known.end(), {"name", "sex", "age", "height"});
-  std::size_t at = 0;
-  for (int line = 1; at < text.size(); ++line) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::vector<std::string> fields = fields_of(text.substr(at, end - at), {file, line, ""});
-    at = end + 1;
-    if (fields.size() == 1 && fields[0].empty()) continue;
-    if (head.empty()) {
-      head = fields;
-      for (const std::string& name : head)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-          throw InvalidInput({file, line, printable(name)}, "an unknown column",
-                             "name, sex, age, height or a measure, with commas between",
-                             did_you_mean(name, known));
-        else if (std::count(head.begin(), head.end(), name) > 1)
-          throw InvalidInput({file, line, name}, "the column twice", "each once");
-      if (std::find(head.begin(), head.end(), "height") == head.end())
-        throw InvalidInput({file, line, ""}, "no column height", "height in metres");
-      continue;
-    }
+  std::vector<Column> head;
+  for (const std::string& written : table.rows[0].fields) {
+    const InputPlace place{file, table.rows[0].line, printable(written)};
+    const Column column = column_of(written);
+    if (std::find(known.begin(), known.end(), column.name) == known.end())
+      throw InvalidInput(place, "an unknown column", "name, sex, age, height or a measure",
+                         did_you_mean(column.name, known));
+    for (const Column& other : head)
+      if (other.name == column.name) throw InvalidInput(place, "the column twice", "each once");
+    head.push_back(column);
+  }
+  if (std::none_of(head.begin(), head.end(), [](const Column& c) { return c.name == "height"; }))
+    throw InvalidInput({file, table.rows[0].line, ""}, "no column height", "height in metres");
+  std::vector<Person> people;
+  std::set<std::string> names;
+  for (std::size_t r = 1; r < table.rows.size(); ++r) {
+    const auto& [line, fields] = table.rows[r];
     if (fields.size() != head.size())
       throw InvalidInput({file, line, ""}, fmt::format("{} fields", fields.size()),
-                         fmt::format("{}, as in the first line", head.size()));
+                         fmt::format("{}, as in the first line", head.size()),
+                         io::row_hint(table, table.rows[r]));
     Person person;
     person.name = fmt::format("person {}", people.size() + 1);
     for (std::size_t i = 0; i < head.size(); ++i) {
-      const InputPlace place{file, line, head[i]};
-      if (head[i] == "name") {
+      const auto& [name, unit] = head[i];
+      const InputPlace place{file, line, name};
+      if (name == "name") {
         if (!valid_utf8(fields[i]))
           throw InvalidInput({file, line, ""}, "a name that is not UTF-8",
                              "UTF-8 (save as CSV UTF-8)");
         person.name = fields[i];
-      } else if (head[i] == "sex")
-        person.sex = fields[i] == "female" ? 0
-                     : fields[i] == "male"
-                         ? 1
-                         : number_of(fields[i], {0, 1, "female, male or a number"}, place);
-      else if (head[i] == "age")
-        person.age = number_of(fields[i], io::age_range(), place);
-      else if (head[i] == "height" || !fields[i].empty())
-        person.measures[head[i]] = number_of(fields[i], io::measure_range(head[i]), place);
+      } else if (name == "sex") {
+        person.sex = sex_in(fields[i], place);
+      } else if (name == "age") {
+        person.age = number_of(fields[i], io::age_range(), 1, place);
+      } else if (name == "height" || !fields[i].empty()) {
+        person.measures[name] =
+            number_of(fields[i], io::measure_range(name), unit, place);
+      }
     }
     if (person.name.empty() || !names.insert(person.name).second)
       throw InvalidInput({file, line, "name"}, "\"" + printable(person.name) + "\"",

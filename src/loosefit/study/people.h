@@ -64,10 +64,12 @@ std::vector<Person> draw_people(const Anthropometry& from, const PeopleWish& wis
 std::map<std::string, double> measures_at(const PopulationGroup& group,
                                           const std::vector<double>& z);
 
-/// Reads people from a CSV file: a line of names (name, sex, age, height, and any tape measures),
-/// then one line each; lengths in metres and in the ranges of [body], sex "female", "male" or
-/// 0 … 1. Without a column name people are numbered; sex and age may lack too.
-/// \throws IoError; InvalidInput with file, line and column.
+/// Reads people from a table of any spreadsheet (io/csv.h): a line of names (name, sex, age,
+/// height, and any tape measures, in any letter case), then one line each; lengths in metres, or in
+/// the unit that stands behind the name as in "chest (cm)", within the ranges of [body]; decimals
+/// with a point or a comma; sex "female", "male", "f", "m" or 0 … 1. Without a column name people
+/// are numbered; sex and age may lack too. \throws IoError; InvalidInput with file, line and
+/// column.
 std::vector<Person> read_people_csv(const std::filesystem::path& path);
 
 }  // namespace loosefit::study

@@ -10,7 +10,6 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/config_reader.h"
 #include "loosefit/io/scorecard_file.h"
-#include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
 #include "loosefit/study/config_patch.h"
 
@@ -184,7 +183,7 @@ const char* name(Design design) {
 }
 
 StudyFile read_study_file(const std::string& path) {
-  return parse_study_file(io::read_text_file(path, 1000000), path);
+  return parse_study_file(io::read_toml_text(path), path);
 }
 
 StudyFile parse_study_file(const std::string& text, const std::string& path) {

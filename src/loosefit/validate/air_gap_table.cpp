@@ -14,6 +14,7 @@
 #include "loosefit/body/named_postures.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/io/material_file.h"
+#include "loosefit/io/text_encoding.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/registry.h"
 
@@ -25,15 +26,6 @@ constexpr const char* kColumns[] = {
     "ease_waist_cm", "body",           "posture", "region",    "gap_mm",   "gap_sd_mm",
     "contact_pct",   "contact_sd_pct", "g0_mm",   "averaging", "donnings", "read_by"};
 constexpr std::size_t kLargestFile = 10'000'000;  ///< bytes
-
-std::vector<std::string> fields_of(const std::string& line, const std::string& file, int number) {
-  const io::CsvFields read = io::csv_fields(line);
-  if (!read.closed)
-    throw InvalidInput(
-        {file, number, kColumns[std::min(read.fields.size(), std::size(kColumns)) - 1]},
-        "a quote that is not closed", "a closing quote on the same line");
-  return read.fields;
-}
 
 /// The fields of one row by their columns.
 class Row {
@@ -55,9 +47,7 @@ class Row {
     const std::string field = text(column);
     if (field.empty()) return {};
     double value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-    if (error != std::errc{} || end != field.data() + field.size() || !(value >= low) ||
-        !(value <= high))
+    if (!io::number_in(field, value) || !(value >= low && value <= high))
       fail(column, "\"" + printable(field) + "\"",
            fmt::format("a number from {:g} to {:g}, or nothing", low, high));
     return value;
@@ -184,28 +174,20 @@ std::vector<body::Region> regions_named(const std::string& name) {
 }
 
 std::vector<AirGapRow> read_air_gap_table(const std::filesystem::path& file) {
-  std::istringstream lines(
-      std::string(io::without_byte_order_mark(io::read_text_file(file.string(), kLargestFile))));
   const std::string name = file.string();
-  std::vector<AirGapRow> rows;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) continue;
-    const std::vector<std::string> fields = fields_of(line, name, number);
-    if (number > 1) {
-      rows.push_back(read_row(Row(name, number, fields), number));
-      continue;
-    }
-    for (std::size_t k = 0; k < std::size(kColumns); ++k)
-      if (k >= fields.size() || fields[k] != kColumns[k])
-        throw InvalidInput({name, 1, kColumns[k]},
-                           k < fields.size() ? "\"" + printable(fields[k]) + "\"" : "no column",
-                           fmt::format("\"{}\" as column {}", kColumns[k], k + 1));
-  }
-  if (number == 0)
+  const io::CsvTable table = io::read_csv(io::read_plain_text(name, kLargestFile), name);
+  if (table.rows.empty())
     throw InvalidInput({name, 1, kColumns[0]}, "an empty file", "the line of columns");
+  const std::vector<std::string>& head = table.rows[0].fields;
+  for (std::size_t k = 0; k < std::size(kColumns); ++k)
+    if (k >= head.size() || head[k] != kColumns[k])
+      throw InvalidInput({name, table.rows[0].line, kColumns[k]},
+                         k < head.size() ? "\"" + printable(head[k]) + "\"" : "no column",
+                         fmt::format("\"{}\" as column {}", kColumns[k], k + 1));
+  std::vector<AirGapRow> rows;
+  for (std::size_t r = 1; r < table.rows.size(); ++r)
+    rows.push_back(
+        read_row(Row(name, table.rows[r].line, table.rows[r].fields), table.rows[r].line));
   return rows;
 }
 

@@ -146,10 +146,12 @@ class Reader {
   }
 
   void header() {
-    bool units = false;
+    std::string_view variable;
     for (const DxfGroup& group : record_.groups) {
-      if (group.code == 9) units = group.value == "$INSUNITS";
-      if (units && group.code == 70) document_.insunits = records_.integer(group);
+      if (group.code == 9) variable = group.value;
+      if (group.code != 70) continue;
+      if (variable == "$INSUNITS") document_.insunits = records_.integer(group);
+      if (variable == "$MEASUREMENT") document_.metric = records_.integer(group) != 0;
     }
   }
 

@@ -29,6 +29,7 @@ struct DxfDocument {
   std::vector<DxfBlock> blocks;
   std::vector<DxfEntity> entities;  ///< outside of blocks
   std::optional<int> insunits;      ///< $INSUNITS of the header: 1 inch, 4 mm, 5 cm, 6 m
+  std::optional<bool> metric;       ///< $MEASUREMENT of the header: 0 English, 1 metric
 };
 
 /// Reads sections HEADER, BLOCKS and ENTITIES of a DXF text file; all others are passed over.

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
@@ -105,15 +106,8 @@ bool DxfRecords::next(DxfRecord& record) {
 }
 
 double DxfRecords::number(const DxfGroup& group) const {
-  std::string text(group.value);
-  if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
-    text[text.find(',')] = '.';  // programs with another locale
-  const char* begin = text.data() + (text.starts_with("+") ? 1 : 0);
-  const char* const stop = text.data() + text.size();
   double value = 0;
-  const auto [end, error] = std::from_chars(begin, stop, value);
-  if (error != std::errc() || end != stop || !std::isfinite(value) ||
-      std::abs(value) > kLargestNumber)
+  if (!number_in(group.value, value) || std::abs(value) > kLargestNumber)
     fail(group.line, "", quoted(group.value), "a number of at most 1e7");
   return value;
 }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "loosefit/io/dxf/dxf_keys.h"
+
 namespace loosefit::io {
 namespace {
 
@@ -31,7 +33,7 @@ std::optional<KeyValue> key_value(const DxfEntity& e) {
   if (e.kind != "TEXT" && e.kind != "MTEXT") return {};
   const std::size_t colon = e.text.find(':');
   if (colon == std::string::npos) return {};
-  return KeyValue{lower(trimmed(e.text.substr(0, colon))), trimmed(e.text.substr(colon + 1))};
+  return KeyValue{dxf_key(trimmed(e.text.substr(0, colon))), trimmed(e.text.substr(colon + 1))};
 }
 
 bool has_outline(const DxfBlock& block) {
@@ -118,7 +120,7 @@ bool says_nothing_of_cloth(const std::string& word) {
 }  // namespace
 
 bool is_known_text(const std::string& text) {
-  const std::string key = lower(trimmed(text.substr(0, text.find(':'))));
+  const std::string key = dxf_key(trimmed(text.substr(0, text.find(':'))));
   for (const char* known : {"piece name", "size", "quantity", "category", "fabric", "material",
                             "annotation", "style name", "sample size", "units"})
     if (key == known) return true;

@@ -208,8 +208,9 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   if (pieces.size() > kMostPieces)
     throw InvalidInput({file, 0, "BLOCKS"}, fmt::format("{} pieces of one size", pieces.size()),
                        fmt::format("at most {}", kMostPieces));
-  const FileUnits units = choose_units(wish.units, {style.units, document.insunits, style.maker},
-                                       longest_side(pieces), file);
+  const FileUnits units =
+      choose_units(wish.units, {style.units, document.insunits, style.maker, document.metric},
+                   longest_side(pieces), file);
   result.about.push_back("DXF-AAMA or ASTM D6673, in " + units.name);
   if (!units.warning.empty()) result.warnings.push_back(units.warning);
   if (!size.empty())
@@ -235,7 +236,7 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
 
 PatternFile read_dxf_pattern(const std::filesystem::path& path, const PatternWish& wish) {
   PatternFile result =
-      parse_dxf_pattern(read_text_file(path.string(), kLargestFile), path.string(), wish);
+      parse_dxf_pattern(read_plain_text(path.string(), kLargestFile), path.string(), wish);
   result.pattern.name = path.stem().string();
   return result;
 }

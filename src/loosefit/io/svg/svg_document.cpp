@@ -3,115 +3,92 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <cctype>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/svg/svg_style.h"
 #include "loosefit/io/xml_tree.h"
 
 namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kMostShapes = 100'000;
-constexpr int kMostUses = 8;  // of uses within each other
-constexpr double kInch = 25.4;
+constexpr int kMostUses = 8, kMostUsed = 2000;  // of uses within each other, and of all
 
-/// A length with its unit: value, and millimetres of the unit, none for a plain number and for px,
-/// which stand for a unit that nobody named.
-struct Length {
-  double value = 0;
-  std::optional<double> mm;
-  bool percent = false;
-};
+std::string in_quotes(const std::string& name) { return '"' + printable(name) + '"'; }
 
-std::optional<Length> parse_length(const std::string& text) {
-  Length length;
-  const char* begin = text.data();
-  const char* end = text.data() + text.size();
-  while (begin != end && (*begin == ' ' || *begin == '\t' || *begin == '+')) ++begin;
-  const auto [rest, error] = std::from_chars(begin, end, length.value);
-  if (error != std::errc() || !std::isfinite(length.value)) return {};
-  std::string unit(rest, end);
-  while (!unit.empty() && unit.back() == ' ') unit.pop_back();
-  while (!unit.empty() && unit.front() == ' ') unit.erase(0, 1);
-  if (unit == "mm") length.mm = 1;
-  if (unit == "cm") length.mm = 10;
-  if (unit == "m") length.mm = 1000;
-  if (unit == "in") length.mm = kInch;
-  if (unit == "pt") length.mm = kInch / 72;
-  if (unit == "pc") length.mm = kInch / 6;
-  length.percent = unit == "%";
-  if (!length.mm && !length.percent && !unit.empty() && unit != "px") return {};
-  return length;
+/// Kinds of elements that are drawn.
+bool is_shape(const std::string& name) {
+  for (const char* known :
+       {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "use"})
+    if (name == known) return true;
+  return false;
 }
 
-/// Value of a property in a style attribute or as an attribute of its own.
-std::string property(const XmlElement& element, const std::string& name) {
-  const std::string& style = element.attribute("style");
-  for (std::size_t at = 0; at < style.size();) {
-    const std::size_t end = std::min(style.find(';', at), style.size());
-    const std::string one = style.substr(at, end - at);
-    const std::size_t colon = one.find(':');
-    if (colon != std::string::npos) {
-      std::string key = one.substr(0, colon), value = one.substr(colon + 1);
-      key.erase(0, key.find_first_not_of(" \t\n"));
-      value.erase(0, value.find_first_not_of(" \t\n"));
-      if (key == name) return value;
-    }
-    at = end + 1;
-  }
-  return element.attribute(name);
+int shapes_in(const XmlElement& e) {
+  int count = is_shape(e.name);
+  for (const XmlElement& child : e.children) count += shapes_in(child);
+  return count;
+}
+
+/// What an element is called in messages.
+std::string called(const XmlElement& e) {
+  const std::string& label = e.attribute("inkscape:label");
+  const std::string& name = label.empty() ? e.attribute("id") : label;
+  std::string text =
+      name.empty() ? fmt::format("{} at line {}", printable(e.name), e.line) : in_quotes(name);
+  if (const int count = shapes_in(e); count > 0 && !is_shape(e.name))
+    text += fmt::format(" ({} {})", count, count == 1 ? "shape" : "shapes");
+  return text;
 }
 
 class Reader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  Reader(const std::string& file, const XmlElement& root) : file_(file), styles_(root) {}
 
   SvgDocument read(const XmlElement& root, const std::string& text) {
     if (root.name != "svg")
       throw InvalidInput({file_, root.line, {}},
                          "an XML file whose root is " + printable(root.name), "an SVG drawing");
     document_.freesewing = root.attributes.count("freesewing") > 0;
-    document_.points = text.substr(0, 2000).find("Adobe Illustrator") != std::string::npos;
-    page(root);
+    static_cast<SvgPage&>(document_) = page_of(root, text, file_);
     index(root);
-    for (const XmlElement& child : root.children) element(child, SvgAffine::Identity(), {}, 0);
-    for (const auto& [kind, count] : left_)
-      document_.unused.push_back(fmt::format("{}: {}", kind, count));
+    const Inherited outside{styles_.property(root, "visibility"), 0};
+    for (const XmlElement& child : root.children)
+      element(child, SvgAffine::Identity(), {}, outside, false);
+    if (!document_.freesewing) note_definitions(root, false);
+    tell_unused();
     return std::move(document_);
   }
 
  private:
-  void page(const XmlElement& root) {
-    const std::optional<Length> width = parse_length(root.attribute("width"));
-    const std::optional<Length> height = parse_length(root.attribute("height"));
-    const std::string& box = root.attribute("viewBox");
-    std::vector<double> view;
-    if (!box.empty()) {
-      view = parse_svg_numbers(box, file_, root.line, "viewBox");
-      if (view.size() != 4 || !(view[2] > 0) || !(view[3] > 0))
-        throw InvalidInput({file_, root.line, "viewBox"}, '"' + printable(box) + '"',
-                           "four numbers, the last two of them positive");
-      document_.low = {view[0], view[1]};
-      document_.high = document_.low + Vec2(view[2], view[3]);
+  /// What the elements round one leave it.
+  struct Inherited {
+    SvgStyles::Value visibility;
+    int uses = 0;  ///< within each other
+  };
+
+  /// Where people may need to know of a thing that it was left out, and why.
+  void leave(const std::string& reason, const XmlElement& e) { left_[reason].push_back(called(e)); }
+
+  void tell_unused() {
+    constexpr std::size_t kNamed = 12;
+    for (const auto& [kind, count] : counts_)
+      document_.unused.push_back(fmt::format("{}: {}", kind, count));
+    for (const auto& [reason, names] : left_) {
+      const std::vector<std::string> first(names.begin(),
+                                           names.begin() + std::min(names.size(), kNamed));
+      document_.unused.push_back(
+          fmt::format("{}: {}{}", reason, join(first),
+                      names.size() > kNamed ? fmt::format(" and {} more", names.size() - kNamed)
+                                            : std::string()));
     }
-    // The drawing is fitted into the page: the smaller scale holds.
-    for (int k = 0; k < 2; ++k) {
-      const std::optional<Length>& side = k == 0 ? width : height;
-      if (!side || side->percent || !(side->value > 0)) continue;
-      if (!side->mm) {
-        if (!view.empty()) document_.pixel_mm = side->value * kInch / 96 / view[2 + k];
-        continue;
-      }
-      const double unit = view.empty() ? *side->mm : side->value * *side->mm / view[2 + k];
-      // Without a viewBox a unit is a pixel whatever the unit of the page.
-      const double mm = view.empty() ? kInch / 96 : unit;
-      document_.unit_mm = std::min(document_.unit_mm.value_or(mm), mm);
-    }
-    if (view.empty() && width && height && !width->percent && !height->percent)
-      document_.high = {width->value, height->value};
+    for (const std::string& what : styles_.unread())
+      document_.unused.push_back(what + ": not applied, it may hide something");
   }
 
   void index(const XmlElement& element) {
@@ -119,48 +96,78 @@ class Reader {
     for (const XmlElement& child : element.children) index(child);
   }
 
-  double length(const XmlElement& e, const std::string& key, double fallback = 0) const {
-    const std::string& text = e.attribute(key);
-    if (text.empty()) return fallback;
-    const std::optional<Length> value = parse_length(text);
-    if (!value || std::abs(value->value) > 1e7)
-      throw InvalidInput({file_, e.line, key}, '"' + printable(text) + '"', "a length");
-    if (value->percent) {
-      const Vec2 size = document_.high - document_.low;
-      const bool along_y = key == "y" || key == "height" || key == "cy";
-      return value->value / 100 * (along_y ? size.y() : size.x());
+  /// Definitions and symbols that no "use" shows.
+  void note_definitions(const XmlElement& e, bool defined) {
+    const bool symbol = e.name == "symbol";
+    if (!defined && !symbol && e.name != "defs") {
+      for (const XmlElement& child : e.children) note_definitions(child, false);
+      return;
     }
-    return value->mm ? value->value * *value->mm * 96 / kInch : value->value;
+    if (shown_.count(&e)) return;
+    if (e.name == "defs") {
+      for (const XmlElement& child : e.children) note_definitions(child, true);
+    } else if (symbol || e.name == "g" || is_shape(e.name)) {
+      const bool used = std::any_of(e.children.begin(), e.children.end(),
+                                    [&](const XmlElement& child) { return shown_.count(&child); });
+      if (shapes_in(e) > 0 && !used)
+        leave(symbol ? "symbols that nothing uses" : "definitions that nothing uses", e);
+    }
+  }
+
+  double length(const XmlElement& e, const std::string& key, double fallback = 0) const {
+    return document_.length(e, key, file_, fallback);
   }
 
   void element(const XmlElement& e, const SvgAffine& outside, const std::vector<int>& groups,
-               int uses) {
+               Inherited inherited, bool by_use) {
     if (e.name.find(':') != std::string::npos) return;  // of other vocabularies: metadata
-    if (property(e, "display") == "none" || property(e, "visibility") == "hidden") {
-      if (e.name == "g" || e.name == "path") ++left_["hidden " + e.name];
-      return;
+    if (e.name == "symbol" && !by_use) return;
+    const bool container = e.name == "g" || e.name == "a" || e.name == "svg" ||
+                           e.name == "switch" || e.name == "symbol";
+    const bool drawn = container || is_shape(e.name);
+    if (by_use) shown_.insert(&e);
+    if (drawn) {
+      if (const SvgStyles::Value display = styles_.property(e, "display");
+          is(display.text, "none")) {
+        if (shapes_in(e) > 0) leave("hidden by " + display.from + " (display: none)", e);
+        return;
+      }
+      if (const SvgStyles::Value own = styles_.property(e, "visibility");
+          !own.text.empty() && !is(own.text, "inherit"))
+        inherited.visibility = own;
+      if (const SvgStyles::Value own = styles_.property(e, "transform");
+          own.from != "its attribute" && !own.text.empty() && !is(own.text, "none"))
+        leave("transform in a style, not applied: the place or size is another", e);
     }
+    const bool hidden =
+        is(inherited.visibility.text, "hidden") || is(inherited.visibility.text, "collapse");
+    if (hidden && is_shape(e.name) && e.name != "use")
+      return leave("hidden by " + inherited.visibility.from +
+                       " (visibility: " + printable(inherited.visibility.text, 20) + ")",
+                   e);
     SvgAffine place = outside;
     if (const std::string& t = e.attribute("transform"); !t.empty())
       place = outside * parse_svg_transform(t, file_, e.line);
-    if (e.name == "g" || e.name == "a" || e.name == "svg" || e.name == "switch") {
+    if (container) {
       if (e.name == "svg") place = place * Eigen::Translation2d(length(e, "x"), length(e, "y"));
+      if (e.name == "svg" || e.name == "symbol") place = place * fitted(e, e);
       std::vector<int> inner = groups;
       inner.push_back(static_cast<int>(document_.groups.size()));
       document_.groups.push_back({e.attribute("id"), e.attribute("inkscape:label"),
                                   e.attribute("inkscape:groupmode") == "layer", place});
-      for (const XmlElement& child : e.children) element(child, place, inner, uses);
+      for (const XmlElement& child : e.children) element(child, place, inner, inherited, false);
       return;
     }
-    if (e.name == "use") return use(e, place, groups, uses);
+    if (e.name == "use") return use(e, place, groups, inherited);
     SvgShape shape;
     if (!draw(e, shape)) return;
     shape.kind = e.name;
     shape.id = e.attribute("id");
     shape.label = e.attribute("inkscape:label");
     shape.classes = e.attribute("class");
-    shape.marker = property(e, "marker-start");
-    if (shape.marker.empty() || shape.marker == "none") shape.marker = property(e, "marker-end");
+    shape.marker = styles_.property(e, "marker-start").text;
+    if (shape.marker.empty() || shape.marker == "none")
+      shape.marker = styles_.property(e, "marker-end").text;
     shape.groups = groups;
     shape.line = e.line;
     for (SvgRun& run : shape.runs) {
@@ -176,7 +183,52 @@ class Reader {
     document_.shapes.push_back(std::move(shape));
   }
 
-  void use(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups, int uses) {
+  static bool is(std::string text, const char* word) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text == word;
+  }
+
+  /// How the viewBox of a symbol or an inner drawing is fitted into the width and height that
+  /// `sized` gives it (W3C SVG 1.1, 7.8).
+  SvgAffine fitted(const XmlElement& e, const XmlElement& sized) const {
+    const std::string& box = e.attribute("viewBox");
+    SvgAffine fit = SvgAffine::Identity();
+    if (box.empty()) return fit;
+    const std::vector<double> view = parse_svg_numbers(box, file_, e.line, "viewBox");
+    if (view.size() != 4 || !(view[2] > 0) || !(view[3] > 0))
+      throw InvalidInput({file_, e.line, "viewBox"}, in_quotes(box),
+                         "four numbers, the last two of them positive");
+    const Vec2 page = document_.high - document_.low;
+    Vec2 size;
+    for (int k = 0; k < 2; ++k) {
+      const char* const key = k == 0 ? "width" : "height";
+      const XmlElement& from = sized.attribute(key).empty() ? e : sized;
+      size[k] = length(from, key, page[k]);
+    }
+    Vec2 scale(size.x() / view[2], size.y() / view[3]);
+    if (!(scale.minCoeff() > 0)) return fit;  // no page to fit it into
+    std::string how = e.attribute("preserveAspectRatio");
+    Vec2 shift = Vec2::Zero();
+    if (how.find("none") == std::string::npos) {
+      if (how.empty()) how = "xMidYMid";
+      const double both =
+          how.find("slice") != std::string::npos ? scale.maxCoeff() : scale.minCoeff();
+      for (int k = 0; k < 2; ++k) {
+        const std::string axis = k == 0 ? "x" : "Y";
+        const double free = size[k] - both * view[2 + k];
+        shift[k] = how.find(axis + "Min") != std::string::npos   ? 0
+                   : how.find(axis + "Max") != std::string::npos ? free
+                                                                 : free / 2;
+      }
+      scale = Vec2::Constant(both);
+    }
+    fit.translate(shift).scale(scale).translate(Vec2(-view[0], -view[1]));
+    return fit;
+  }
+
+  void use(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups,
+           Inherited inherited) {
     std::string href = e.attribute("href");
     if (href.empty()) href = e.attribute("xlink:href");
     const SvgAffine at = place * Eigen::Translation2d(length(e, "x"), length(e, "y"));
@@ -191,12 +243,19 @@ class Reader {
       return;
     }
     const auto found = href.starts_with("#") ? by_id_.find(href.substr(1)) : by_id_.end();
-    if (document_.freesewing || found == by_id_.end() || uses >= kMostUses ||
-        found->second->name == "symbol" || ++used_ > 2000) {
-      ++left_["use"];
-      return;
-    }
-    element(*found->second, at, groups, uses + 1);
+    if (found == by_id_.end())
+      return leave("uses of " + in_quotes(href) + ", which is not in the file", e);
+    if (document_.freesewing) return void(++counts_["use"]);
+    if (inherited.uses >= kMostUses || ++used_ > kMostUsed)
+      return leave("uses within each other, or more than the reader follows", e);
+    ++inherited.uses;
+    const XmlElement& shown = *found->second;
+    // A symbol takes its size from the use; its own step does the rest.
+    const SvgAffine sized =
+        shown.name == "symbol" && !e.attribute("width").empty() && !e.attribute("height").empty()
+            ? fitted(shown, e) * fitted(shown, shown).inverse()
+            : SvgAffine::Identity();
+    element(shown, at * sized, groups, inherited, true);
   }
 
   /// \return false for what is no shape
@@ -231,8 +290,7 @@ class Reader {
       run.closed = e.name == "polygon";
       shape.runs = {run};
     } else {
-      if (e.name == "text" || e.name == "image" || e.name == "symbol" || e.name == "foreignObject")
-        ++left_[e.name];
+      if (e.name == "text" || e.name == "image" || e.name == "foreignObject") ++counts_[e.name];
       return false;
     }
     return !shape.runs.empty();
@@ -240,8 +298,11 @@ class Reader {
 
   const std::string& file_;
   SvgDocument document_;
+  SvgStyles styles_;
   std::map<std::string, const XmlElement*> by_id_;
-  std::map<std::string, int> left_;
+  std::set<const XmlElement*> shown_;  ///< by a use
+  std::map<std::string, int> counts_;
+  std::map<std::string, std::vector<std::string>> left_;  ///< names by reasons
   int used_ = 0;
 };
 
@@ -249,7 +310,7 @@ class Reader {
 
 SvgDocument parse_svg(const std::string& text, const std::string& file) {
   const XmlElement root = parse_xml(text, file);
-  return Reader(file).read(root, text);
+  return Reader(file, root).read(root, text);
 }
 
 }  // namespace loosefit::io

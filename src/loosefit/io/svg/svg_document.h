@@ -1,8 +1,8 @@
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "loosefit/io/svg/svg_page.h"
 #include "loosefit/io/svg/svg_path.h"
 
 namespace loosefit::io {
@@ -26,21 +26,18 @@ struct SvgGroup {
 };
 
 /// What an SVG file draws.
-struct SvgDocument {
+struct SvgDocument : SvgPage {
   std::vector<SvgShape> shapes;
   std::vector<SvgGroup> groups;
-  std::optional<double> unit_mm;  ///< length of a unit of the drawing, where the file names it
-  double pixel_mm = 25.4 / 96;    ///< the same, if its pixels are 1/96 inch
-  bool freesewing = false;        ///< FreeSewing wrote it
-  bool points = false;            ///< Adobe Illustrator wrote it, whose unit is 1/72 inch
-  Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< of the page; equal: not said
-  std::vector<std::string> unused;               ///< what is not read, with counts
+  bool freesewing = false;          ///< FreeSewing wrote it
+  std::vector<std::string> unused;  ///< what is not read, by name, with the reason
 };
 
-/// Shapes of path, rect, circle, ellipse, line, polyline, polygon and use (of one of these or of a
-/// group), with the transforms of all groups round them. What is hidden, clip paths, masks, markers
-/// and symbols are passed over. Units: width and viewBox (W3C SVG 1.1, 7.7 and 7.10). `file` only
-/// appears in messages. \throws InvalidInput with the line.
+/// Shapes of path, rect, circle, ellipse, line, polyline, polygon and use (of one of these, of a
+/// group or of a symbol), with the transforms of all groups round them. What attributes, styles or
+/// style sheets hide (display, visibility; io/svg/svg_style.h) and what nothing uses of definitions
+/// and symbols is left out and named; clip paths, masks and markers are passed over.
+/// `file` only appears in messages. \throws InvalidInput with the line.
 SvgDocument parse_svg(const std::string& text, const std::string& file);
 
 }  // namespace loosefit::io

@@ -18,8 +18,6 @@ namespace {
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostPieces = 200;
 constexpr double kLargestUnit = 0.0254;  // that a drawing may be in [m]
-constexpr double kShortest = 0.25,
-                 kLongest = 1.7;  // as choose_units: a garment's largest piece [m]
 
 std::vector<SvgPiece> pieces_in(const SvgDocument& document, double unit, const std::string& file,
                                 const std::string& size, std::vector<std::string>& unused) {
@@ -39,8 +37,6 @@ double longest_side(const std::vector<SvgPiece>& pieces) {
   return longest;
 }
 
-bool plausible(double metres) { return metres >= kShortest && metres <= kLongest; }
-
 }  // namespace
 
 PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
@@ -49,13 +45,12 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
   if (document.freesewing && !wish.size.empty())
     throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
                        "none: FreeSewing drafts one size");
-  const double named = document.unit_mm.value_or(document.points ? 25.4 / 72 : document.pixel_mm);
+  const double named = document.unit.mm / 1000;
   std::vector<std::string> left;
   // What is too small for a piece is told by the unit, which the largest piece may have to tell.
-  double measured_in =
-      wish.units.empty() ? named / 1000 : choose_units(wish.units, {}, 1, file).metre;
+  double measured_in = wish.units.empty() ? named : choose_units(wish.units, {}, 1, file).metre;
   std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, wish.size, left);
-  if (pieces.empty() && !document.unit_mm && wish.units.empty())
+  if (pieces.empty() && !document.unit.stated && wish.units.empty())
     pieces = pieces_in(document, measured_in = kLargestUnit, file, wish.size, left);
   if (pieces.empty())
     throw InvalidInput({file, 0, "pieces"},
@@ -73,24 +68,13 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
                        "none: no outlines of several sizes lie in each other in this drawing");
   PatternFile result;
   result.placed = false;
-  // The page, or the usual pixel, says how large things are, unless somebody knows better.
-  const double extent = longest_side(pieces) / measured_in * named / 1000;
-  double unit = named / 1000;
-  std::string units = fmt::format("a unit of {:.4g} mm", named);
-  if (!wish.units.empty() || !plausible(extent)) {
-    const FileUnits chosen = choose_units(wish.units, {}, extent / (named / 1000), file);
-    if (!chosen.warning.empty()) result.warnings.push_back(chosen.warning);
-    unit = chosen.metre;
-    units = chosen.name;
-    pieces = pieces_in(document, unit, file, wish.size, left);
-  } else if (!document.unit_mm) {
-    result.warnings.push_back(fmt::format(
-        "units: the file does not name its units; taken as {}, in which the largest piece is "
-        "{:.3g} m (--units says otherwise)",
-        document.points ? "points of 1/72 inch" : "pixels of 1/96 inch", extent));
-  }
+  SaidUnits says;
+  says.page = document.unit;
+  const FileUnits units = choose_units(wish.units, says, longest_side(pieces) / measured_in, file);
+  if (!units.warning.empty()) result.warnings.push_back(units.warning);
+  if (units.metre != measured_in) pieces = pieces_in(document, units.metre, file, wish.size, left);
   result.about.push_back(
-      fmt::format("{}, in {}", document.freesewing ? "FreeSewing SVG" : "SVG", units));
+      fmt::format("{}, in {}", document.freesewing ? "FreeSewing SVG" : "SVG", units.name));
   if (of_size > 0)
     result.about.push_back(
         fmt::format("size {} by the labels of {} outlines", printable(wish.size), of_size));
