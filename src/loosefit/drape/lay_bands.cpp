@@ -31,6 +31,7 @@ std::map<int, BandRing> find_bands(const garment::OpenSeams& open,
                                    const std::vector<PanelRole>& roles) {
   std::map<int, BandRing> bands;
   for (std::size_t k = 0; k < roles.size(); ++k) {
+    if (roles[k] == PanelRole::limb) continue;
     auto band = BandRing::find(open, static_cast<int>(k));
     if (!band) continue;
     const bool at_trunk = std::any_of(band->sewn_to().begin(), band->sewn_to().end(),

@@ -17,14 +17,16 @@ enum class StopReason {
   cloth_falls,      ///< the cloth has left the body
   pieces_fall,      ///< pieces that are sewn to nothing else have left it
   caught_in_skin,   ///< cloth lies between folds of skin, a posture was given up
-  posture_too_long  ///< a posture took too many iterations and was given up
+  posture_too_long,  ///< a posture took too many iterations and was given up
+  no_progress        ///< the net force goes up and down and falls no further (StallTuning)
 };
 
 /// The reason with what its sentence needs. The sentence is what certificates show.
 struct Stop {
   StopReason reason = StopReason::unknown;
   double depth = 0;                      ///< caught_in_skin: how deep [m]
-  int iterations = 0;                    ///< posture_too_long: allowed on the finest level
+  int iterations = 0;  ///< posture_too_long: allowed on the finest level; no_progress: of them
+  double residual = 0;                   ///< no_progress: the lowest [–]
   int pieces = 0;                        ///< pieces_fall: how many
   std::vector<std::string> panels = {};  ///< pieces_fall: their panels, fit for printing
 
