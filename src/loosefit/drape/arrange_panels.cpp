@@ -40,7 +40,6 @@ constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above
 constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
-constexpr double kNextToSkin = 0.006;  ///< of a rolled sleeve, at least [m]
 
 class Arranger {
  public:
@@ -96,7 +95,7 @@ class Arranger {
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
         if (roles_[k] == PanelRole::trunk && !bands_.count(static_cast<int>(k)) &&
-            !is_wrapped(static_cast<int>(k)))
+            !is_wrapped(static_cast<int>(k)) && !roll_round_trunk(static_cast<int>(k)))
           clear_trunk(static_cast<int>(k));
       lay_bands(open_, bands_, roles_, placed_crotch() ? side_ : std::vector<int>{}, body_, x_);
       for (const auto& [k, band] : bands_) outside_[k].setZero();
@@ -106,7 +105,8 @@ class Arranger {
     }
     std::vector<char> of_trunk(outside_.size(), 0);
     for (std::size_t k = 0; k < roles_.size(); ++k) of_trunk[k] = roles_[k] == PanelRole::trunk;
-    return {std::move(x_), std::move(outside_), std::move(of_trunk), shoulder_seams()};
+    const bool on_limbs = std::ranges::count(roles_, PanelRole::limb) > 0;
+    return {std::move(x_), std::move(outside_), std::move(of_trunk), shoulder_seams(), on_limbs};
   }
 
  private:
@@ -408,25 +408,12 @@ class Arranger {
     for (int k : panels) {
       const RolledPanel rolled(open_, placed_, k, from, axis, outside_[k]);
       if (rolled.goes_round()) {
-        roll_round_arm(k, rolled, body_arm, start - begin);
+        rolled.place_clear(body_arm, start - begin, kBeyond, body_, x_);
         outside_[k].setZero();
         continue;
       }
       outside_[k] = geometry::rotation_between(axis, mid) * outside_[k];
       clear_along_normal(k);
-    }
-  }
-
-  /// A sleeve in one piece goes round the arm: wider, then farther out along it, until it is clear
-  /// of the body.
-  void roll_round_arm(int panel, const RolledPanel& sleeve, const Polyline& arm, double offset) {
-    for (int step = 0; step < kSteps; ++step) {
-      sleeve.place(arm, offset + kBeyond * (step / 5), kStep * (step % 5), x_);
-      bool clear = true;
-      for (int v = 0; v < g_.vertex_count && clear; ++v)
-        clear = g_.vertex_panel[v] != panel ||
-                body_.tree().signed_distance(x_[v], nullptr, 1.0) > kNextToSkin;
-      if (clear) return;
     }
   }
 
@@ -464,6 +451,20 @@ class Arranger {
       if (clear) return;
       for (int v : of) x_[v] += kStep * outside_[panel];
     }
+  }
+
+  /// A tube in one piece that is sewn to itself; whether the panel is one.
+  bool roll_round_trunk(int panel) {
+    std::vector<int> of;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (g_.vertex_panel[v] == panel) of.push_back(v);
+    const Vec3 middle = mean(of, x_);
+    const RolledPanel tube(open_, x_, panel, middle, Vec3::UnitZ(), outside_[panel]);
+    if (!tube.goes_round()) return false;
+    const Polyline trunk = trunk_line(limb_lines(body_.body()));
+    tube.place_clear(trunk, trunk.project(middle), 0, body_, x_);
+    outside_[panel].setZero();
+    return true;
   }
 
   /// Outwards beyond all of the body that lies before the panel. Of one that lies beside the body

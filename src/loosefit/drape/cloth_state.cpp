@@ -131,14 +131,22 @@ bool ClothState::is_near_enough(double residual) {
 }
 
 bool ClothState::is_stalled(int iteration, double residual) {
+  const auto height = [this] {
+    double sum = 0;
+    for (const Vec3& p : x) sum += p.z();
+    return sum / static_cast<double>(x.size());
+  };
+  const int since = iteration - progress_at_;
   if (residual < tuning.stall.progress * progress_to_) {
-    progress_to_ = residual, progress_at_ = iteration;
+    progress_to_ = residual, progress_at_ = iteration, progress_height_ = height();
     return false;
   }
-  if (iteration - progress_at_ < tuning.stall.iterations) return false;
-  stalled = Stop{.reason = StopReason::no_progress,
-                 .iterations = iteration - progress_at_,
-                 .residual = progress_to_};
+  if (since < tuning.stall.iterations) return false;
+  if (const double sunk = progress_height_ - height(); sunk > tuning.stall.slides)
+    falling = Stop{.reason = StopReason::slides_down, .iterations = since, .sunk = sunk};
+  else
+    stalled = Stop{
+        .reason = StopReason::no_progress, .iterations = since, .residual = progress_to_};
   return true;
 }
 

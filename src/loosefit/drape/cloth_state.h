@@ -170,6 +170,7 @@ struct ClothState {
   std::size_t asked_ = 0;                           ///< of the tolerances, in this settling
   double progress_to_ = 0;                          ///< the residual at its last fall
   int progress_at_ = 0;                             ///< iteration of that
+  double progress_height_ = 0;                      ///< of the middle of the cloth then [m]
   std::optional<FreeFall> free_fall_;               ///< of the garments of this level
   std::unique_ptr<solver::Integrator> integrator_;  ///< of `model`
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;

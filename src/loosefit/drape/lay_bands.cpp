@@ -22,10 +22,14 @@ Polyline limb_of(const BandRing& band, PanelRole role, const std::vector<int>& l
   };
   if (all_of_leg(1)) return beyond(kLeftLeg, 2);
   if (all_of_leg(-1)) return beyond(kRightLeg, 2);
-  return Polyline({lines[kLeftLeg][1], lines[kHead][1], lines[kHead][2]});
+  return trunk_line(lines);
 }
 
 }  // namespace
+
+Polyline trunk_line(const LimbLines& lines) {
+  return Polyline({lines[kLeftLeg][1], lines[kHead][1], lines[kHead][2]});
+}
 
 std::map<int, BandRing> find_bands(const garment::OpenSeams& open,
                                    const std::vector<PanelRole>& roles) {

@@ -6,11 +6,14 @@
 #include <map>
 #include <set>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/clear_panel.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/drape/rolled_panel.h"
 #include "loosefit/geometry/box.h"
+#include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/rotation_between.h"
+#include "loosefit/pattern/outline.h"
 
 namespace loosefit::drape {
 namespace {
@@ -18,9 +21,8 @@ namespace {
 constexpr double kAgrees = 0.03;     ///< a placement so near is kept [m]
 constexpr double kAtEnd = 0.01;      ///< of a closed end from the end of its limb [m]
 constexpr double kClear = 0.01;      ///< of a panel from its limb [m]
-constexpr double kNextToSkin = 0.006;  ///< of a rolled panel, at least [m]
-constexpr double kStep = 0.01;       ///< by which a rolled panel is made wider [m]
-constexpr int kSteps = 10;           ///< at most
+constexpr double kSlit = radians(60);  ///< between the sides of a slit that parts two fingers
+constexpr int kSlits = 2;            ///< of a glove with fingers
 
 /// Where limbs begin in their lines: the arm at the shoulder, the leg at the hip, the head at the
 /// neck.
@@ -30,6 +32,27 @@ Polyline line_of(const LimbLines& lines, Limb limb) {
 }
 
 bool is_arm(Limb limb) { return limb == kLeftArm || limb == kRightArm; }
+
+/// Slits in an outline: corners at which it turns back into itself.
+int slits(const pattern::Panel& panel) {
+  const std::vector<Vec2> outline = pattern::outline_polygon(panel);
+  const std::size_t n = outline.size();
+  int count = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 in = outline[i] - outline[(i + n - 1) % n], out = outline[(i + 1) % n] - outline[i];
+    const double turn = std::atan2(geometry::cross(in, out), in.dot(out));
+    count += turn < kSlit - kPi;
+  }
+  return count;
+}
+
+void refuse_fingers(const pattern::Panel& panel) {
+  if (slits(panel) < kSlits) return;
+  throw GeometryError({{}, 0, "pattern: panel " + panel.name}, "a glove with fingers",
+                      "what goes over a hand as a whole, for there is no place for gloves: contact "
+                      "takes each hand as a closed shape without gaps between its fingers",
+                      "drape a mitten or a cuff, or take the panel out of the file");
+}
 
 }  // namespace
 
@@ -99,22 +122,21 @@ void LimbPieces::lay_piece(const Piece& piece, const pattern::Pattern& pattern,
   for (int v : piece.vertices) x[v] = to + turn * (x[v] - from);
   std::set<int> panels;
   for (int v : piece.vertices) panels.insert(open_.garment.vertex_panel[v]);
-  if (piece.one_ended)
-    go_to_the_end(piece, piece.limb == kHead    ? Vec3(Vec3::UnitZ())
-                         : is_arm(piece.limb) ? worn.at(s).tangent
-                                              : Vec3(-Vec3::UnitZ()),
-                  x);
+  const bool foot = piece.one_ended && !is_arm(piece.limb) && piece.limb != kHead;
+  enclose(piece, foot ? Vec3(-Vec3::UnitZ()) : worn.at(s).tangent, x);
   for (int k : panels) {
     const int flat = pattern.find_panel(open_.garment.panel_names[k]);
+    if (piece.one_ended && is_arm(piece.limb)) refuse_fingers(pattern.panels[flat]);
     const Mat3 frame = turn * pattern.panels[flat].rotation;
     outside[k] = clear_limb(k, piece, frame, x) ? Vec3(Vec3::Zero()) : Vec3(frame.col(2));
   }
 }
 
-/// `outwards`: unit vector towards the end of the limb.
-void LimbPieces::go_to_the_end(const Piece& piece, const Vec3& outwards,
-                               std::vector<Vec3>& x) const {
-  const Vec3 u = outwards.unitOrthogonal(), w = outwards.cross(u);
+void LimbPieces::enclose(const Piece& piece, const Vec3& outwards, std::vector<Vec3>& x) const {
+  // Limbs lie in the plane of the shoulders, more or less, and panels beside them.
+  const Vec3 beside = Vec3::UnitY().cross(outwards);
+  const Vec3 u = beside.norm() > 0.1 ? Vec3(beside.normalized()) : outwards.unitOrthogonal();
+  const Vec3 w = outwards.cross(u);
   const auto seen = [&](const Vec3& p) { return Vec3(p.dot(u), p.dot(w), p.dot(outwards)); };
   geometry::Box3 cloth, end;
   for (int v : piece.vertices) cloth.extend(seen(x[v]));
@@ -124,12 +146,15 @@ void LimbPieces::go_to_the_end(const Piece& piece, const Vec3& outwards,
     if (is_of_limb(piece.limb, i)) farthest = std::max(farthest, skin[i].dot(outwards));
   if (!std::isfinite(farthest)) return;
   Vec3 by = Vec3::Zero();
-  by.z() = farthest + kAtEnd - cloth.max().z();
+  if (piece.one_ended) by.z() = farthest + kAtEnd - cloth.max().z();
   if (std::abs(by.z()) < kAgrees) by.z() = 0;
   // What the piece covers of the limb.
   const double begins = cloth.min().z() + by.z();
+  const double ends = piece.one_ended ? farthest : cloth.max().z();
   for (std::size_t i = 0; i < skin.size(); ++i)
-    if (is_of_limb(piece.limb, i) && skin[i].dot(outwards) > begins) end.extend(seen(skin[i]));
+    if (const double at = skin[i].dot(outwards);
+        is_of_limb(piece.limb, i) && at > begins && at <= ends)
+      end.extend(seen(skin[i]));
   if (end.isEmpty()) return;
   for (int k = 0; k < 2; ++k) {
     const double low = end.min()[k] - cloth.min()[k], high = end.max()[k] - cloth.max()[k];
@@ -156,14 +181,7 @@ bool LimbPieces::clear_limb(int panel, const Piece& piece, const Mat3& frame,
                 [&](std::size_t i) { return is_of_limb(piece.limb, i); }, x);
     return false;
   }
-  for (int step = 0; step < kSteps; ++step) {
-    rolled.place(worn, s, kStep * step, x);
-    const bool clear = std::ranges::all_of(piece.vertices, [&](int v) {
-      return g.vertex_panel[v] != panel ||
-             body_.tree().signed_distance(x[v], nullptr, 1.0) > kNextToSkin;
-    });
-    if (clear) break;
-  }
+  rolled.place_clear(worn, s, 0, body_, x);
   return true;
 }
 

@@ -14,7 +14,8 @@ namespace loosefit::drape {
 /// * a piece round its limb keeps its place there; one that lies beside it is moved onto it, that
 ///   of an arm turned along the arm;
 /// * a piece with one opening is moved along the limb until its closed end is at the end of the
-///   limb, and across it until it encloses that; what agrees within 3 cm is left;
+///   limb, unless they agree within 3 cm;
+/// * any is moved across the limb by as little as makes it enclose what it covers of it;
 /// * panels that are sewn to themselves are rolled round the limb, others move along their outside
 ///   normals until they are clear of the limb.
 class LimbPieces {
@@ -24,7 +25,8 @@ class LimbPieces {
              const std::vector<Opening>& openings, const body::PosedBody& body);
   bool has(int panel) const { return of_panel_[panel] >= 0; }
   /// Moves their vertices in x, which begin as placed [m], and turns the unit normals of their
-  /// panels; that of a rolled one becomes zero.
+  /// panels; that of a rolled one becomes zero. \throws GeometryError for a glove with fingers:
+  /// contact takes a hand as a closed shape.
   void lay(const pattern::Pattern& pattern, std::vector<Vec3>& x, std::vector<Vec3>& outside) const;
 
  private:
@@ -37,7 +39,9 @@ class LimbPieces {
   };
   void lay_piece(const Piece& piece, const pattern::Pattern& pattern, std::vector<Vec3>& x,
                  std::vector<Vec3>& outside) const;
-  void go_to_the_end(const Piece& piece, const Vec3& outwards, std::vector<Vec3>& x) const;
+  /// Shifts a piece to the end of its limb, if it has one opening, and across until it encloses
+  /// what it covers. `outwards`: unit vector along the limb.
+  void enclose(const Piece& piece, const Vec3& outwards, std::vector<Vec3>& x) const;
   /// Whether the panel was rolled round the limb, which has no one normal.
   bool clear_limb(int panel, const Piece& piece, const Mat3& frame, std::vector<Vec3>& x) const;
   bool is_of_limb(Limb limb, std::size_t skin_vertex) const;

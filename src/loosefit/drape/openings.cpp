@@ -24,6 +24,7 @@ namespace {
 constexpr double kCape = 0.9;   ///< of the chest's girth, the widest neck of a cape
 constexpr double kChest = 0.55;  ///< of stature: the chest's girth of a body that does not tell
 constexpr double kNeck = 0.88;   ///< of stature, above which nothing of a wearer begins
+constexpr double kAside = 0.04;  ///< from the middle of the body, beside it [m]
 constexpr double kFoot = 0.12;   ///< height of a foot [m]
 constexpr double kFace = 0.04;   ///< of stature, from the neck's joint up to the chin
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
@@ -303,9 +304,12 @@ class ByWearer {
       o->use = kinds::OpeningUse::limb, o->round = round, o->placed_round = as_placed;
   }
 
+  bool is_above_neck(const Vec3& p) const {
+    return p.z() > joints_.at("neck").z() + kFace * height_;
+  }
+
   void tell_tube(Opening& upper, Opening& lower, const LimbNumbers& round) const {
-    const bool above_neck =
-        lower.placed.z() > joints_.at("neck").z() + kFace * height_;
+    const bool above_neck = is_above_neck(lower.placed);
     if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
       upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
     } else if (round == kRoundNeck && upper.girth < cape_ && !above_neck) {
@@ -318,28 +322,27 @@ class ByWearer {
     }
   }
 
-  /// The arm or leg beside which a piece lies that was placed for somebody who holds it otherwise;
-  /// kLimbs: none.
+  /// The limb beside which a piece lies that goes round none as it is placed: that of somebody who
+  /// holds it otherwise, or a strip that is not yet sewn to a ring; kLimbs: none.
   int limb_beside(int piece) const {
-    geometry::Box3 box;
     Vec3 sum = Vec3::Zero();
     int count = 0, arm = 0, leg = 0;
     for (int v = 0; v < garment_.vertex_count; ++v) {
       if (piece_[v] != piece) continue;
-      box.extend(placed_[v]);
       sum += placed_[v], ++count;
       const int panel = pattern_.find_panel(garment_.panel_names[garment_.vertex_panel[v]]);
       if (panel < 0) continue;
       arm += pattern_.panels[panel].label == "arm", leg += pattern_.panels[panel].label == "leg";
     }
-    const double middle = joints_.at("neck").x();
-    const int side = box.min().x() > middle ? 1 : box.max().x() < middle ? -1 : 0;
-    if (side == 0) return kLimbs;
+    const Vec3 centre = sum / count;
+    const double aside = centre.x() - joints_.at("neck").x();
+    if (arm + leg == 0 && is_above_neck(centre) && std::abs(aside) < kAside) return kHead;
+    if (std::abs(aside) < kAside) return kLimbs;
+    const int side = aside > 0 ? 1 : -1;
     const Limb of_arm = side > 0 ? kLeftArm : kRightArm, of_leg = side > 0 ? kLeftLeg : kRightLeg;
     const auto away = [&](Limb limb) {
       const Polyline line({lines_[limb].begin() + 1, lines_[limb].end()});
-      const Vec3 at = sum / count;
-      return (line.at(std::max(0.0, line.project(at))).point - at).norm();
+      return (line.at(std::max(0.0, line.project(centre))).point - centre).norm();
     };
     if (arm != leg) return arm > leg ? of_arm : of_leg;
     return away(of_arm) < away(of_leg) ? of_arm : of_leg;

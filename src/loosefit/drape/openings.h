@@ -53,9 +53,9 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
 /// of the chest or of legs, a skirt that was placed for somebody taller; one limb, unless it is too
 /// wide for one: a stocking, an arm band, above the neck a head band; anything else, as of a
 /// pattern that was placed for another wearer: what goes through both ends. Of one that goes round
-/// one limb: a sock, a glove, a hat. A piece that lies wholly to one side of the body and round
-/// nothing is for the arm or leg of that side, as its label says, else for the nearer one. Labels
-/// of edges come before.
+/// one limb: a sock, a mitten, a hat. A narrow piece beside the middle of the body that goes round
+/// nothing is for the arm or leg of that side, as its label says, else for the nearer one; one
+/// above the neck is for the head. Labels of edges come before.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern, const body::PosedBody& body);
 

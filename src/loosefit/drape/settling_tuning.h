@@ -257,6 +257,9 @@ struct StallTuning {
   /// drapes that came to rest had no pause half as long.
   int iterations = 800;
   double progress = 0.7;
+  /// Cloth whose middle has sunk by so much meanwhile slides down the body, and does not start once
+  /// more [m]: what only folds sinks by millimetres.
+  double slides = 0.02;
 };
 
 /// Cloth that nothing holds is recognised (FreeFall).

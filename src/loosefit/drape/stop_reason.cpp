@@ -67,6 +67,11 @@ std::string Stop::text() const {
           "given up: the net force has made no progress in {} iterations; at its lowest it was "
           "{:.2g} times the weight",
           iterations, residual);
+    case StopReason::slides_down:
+      return fmt::format(
+          "the cloth slides down and nothing holds it: its middle has sunk by {:.2f} m in {} "
+          "iterations that brought it no nearer to rest",
+          sunk, iterations);
   }
   return {};
 }
