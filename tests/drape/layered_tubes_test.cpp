@@ -76,7 +76,7 @@ TEST(LayeredTubes, PressThroughToTheBodyWithTheSumOfTheirTensions) {
   DrapeOptions options;
   options.gravity = 0;
   ClothModel model({{&a, inner, inner.thickness}, {&b, outer, outer.thickness}}, options);
-  model.set_field(body->field);
+  model.set_body(*body);
   ASSERT_EQ(model.mesh().layers(), 2);
   solver::SettleOptions settle;
   settle.tolerance = 1e-5;  // [N]: nothing has weight here

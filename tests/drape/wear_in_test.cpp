@@ -103,7 +103,7 @@ TEST(WearIn, ABodyWithoutASkeletonBreathesToo) {
   body::Body scan = state.body->body;
   scan.pose_from_rest.clear();
   state.body = with_field(scan, bounds(state.x), contact::kFieldSpacing, state.tuning.carry);
-  state.model->set_field(state.body->field);
+  state.model->set_body(*state.body);
   double widest = 1;
   state.movements = {{.name = "breath", .way = [&](double share) {
                         widest = std::max(widest,

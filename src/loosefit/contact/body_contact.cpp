@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "loosefit/contact/contact_tuning.h"
+#include "loosefit/contact/distance_field.h"
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/particles/tile.h"
 
@@ -86,14 +87,13 @@ LayerResponse compress_layer(double k, double offset, double compression, double
 
 double BodyContact::field_distance(const ContactPoint& point, const particles::VectorField& x,
                                    double reach) const {
-  DistanceField::Sample sample;
+  ContactSurface::Sample sample;
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
 BodyContact::Touch BodyContact::ask(std::size_t i, const particles::VectorField& x,
                                     bool with_hessian) const {
   Touch touch;
-  if (!field_) return touch;
   const Vec3 p = points_[i].position(x);
   Clear& clear = clear_[i];
   if (clear.slack > 0 && (p - clear.position).squaredNorm() < clear.slack * clear.slack)
@@ -107,6 +107,10 @@ BodyContact::Touch BodyContact::ask(std::size_t i, const particles::VectorField&
 
 const std::vector<BodyContact::Touch>& BodyContact::touches(const particles::VectorField& x,
                                                             bool with_hessian) const {
+  if (!field_) {
+    touch_.assign(points_.size(), {});
+    return touch_;
+  }
   if (evaluated_at_ == x && (with_hessian_ || !with_hessian)) return touch_;
   touch_.resize(points_.size());
   clear_.resize(points_.size());

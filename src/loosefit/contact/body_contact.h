@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "loosefit/contact/distance_field.h"
+#include "loosefit/contact/contact_surface.h"
 #include "loosefit/contact/friction.h"
 
 namespace loosefit::contact {
@@ -38,8 +38,8 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
                                          const std::vector<double>& triangle_area, int particles,
                                          double offset);
 
-/// Unilateral contact of the cloth with the body: a penalty on the signed distance to the skin. The
-/// cloth is a layer of finite thickness o (the offset) that can be compressed and hardens: with d
+/// Unilateral contact of the cloth with a surface that is not cloth, the skin or the floor: a
+/// penalty on the signed distance to it. The cloth is a layer of finite thickness o (the offset) that can be compressed and hardens: with d
 /// the distance of its mid-surface to the skin and the compression δ = (o − d)₊ the pressure is
 ///
 ///   p = k δ + (20 k/o) u²/(1 − u/(0.4 o))³,  u = (δ − 0.6 o)₊               [Pa], k [Pa/m]
@@ -56,15 +56,16 @@ class BodyContact : public particles::Energy,
   BodyContact(std::vector<ContactPoint> points, double stiffness, double friction,
               double stick_reach);
 
-  /// The body moved or changed: contacts keep their anchors unless `forget_anchors`.
-  void set_field(std::shared_ptr<const DistanceField> field) {
+  /// The body moved or changed: contacts keep their anchors unless `forget_anchors`. Without a
+  /// field nothing touches.
+  void set_field(std::shared_ptr<const ContactSurface> field) {
     field_ = std::move(field);
     forget_touches();
   }
   /// What a state of this cloth needs to be taken up again: all but what only saves work.
   struct Memory {
     std::vector<ContactPoint> points;
-    std::shared_ptr<const DistanceField> field;
+    std::shared_ptr<const ContactSurface> field;
     double stiffness;
     Friction friction;
   };
@@ -133,7 +134,7 @@ class BodyContact : public particles::Energy,
   int point_index(int k) const { return restricted_ ? active_[k] : k; }
   struct Touch {
     bool active = false;
-    DistanceField::Sample sample;
+    ContactSurface::Sample sample;
   };
   /// Position of a point at which it was found clear of the skin, and how far it may move from
   /// there before its distance is sampled again [m].
@@ -152,7 +153,7 @@ class BodyContact : public particles::Energy,
                           hardening_);
   }
   std::vector<ContactPoint> points_;
-  std::shared_ptr<const DistanceField> field_;
+  std::shared_ptr<const ContactSurface> field_;
   double stiffness_;
   double hardening_ = 1;
   Friction friction_;

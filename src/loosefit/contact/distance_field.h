@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "loosefit/contact/contact_surface.h"
 #include "loosefit/contact/contact_tuning.h"
 #include "loosefit/geometry/box_pairs.h"
 #include "loosefit/geometry/closest_point_tree.h"
@@ -20,7 +21,7 @@ inline constexpr double kFieldSpacing = kContact.field.spacing;  ///< in every d
 ///
 /// A node is measured when it is first asked for: cloth comes near to a small part of the band. Any
 /// number of threads may sample at once; whoever measures a node finds the same bits.
-class DistanceField {
+class DistanceField : public ContactSurface {
  public:
   /// region: where distances are wanted; spacing of the grid [m]; covers: further closed surfaces
   /// that hide the body in them (hulls of hands), the field is that of all together.
@@ -43,15 +44,8 @@ class DistanceField {
   /// Distance up to which every place on the grid is interpolated [m].
   double smooth_reach() const;
 
-  struct Sample {
-    double distance = 0;  ///< [m], negative inside
-    Vec3 gradient = Vec3::Zero();
-    Mat3 hessian = Mat3::Zero();  ///< [1/m]
-  };
-  /// False when p lies farther than `reach` outside: then only a lower bound of the distance is
-  /// given. Derivatives are those of the interpolant, so that an energy of the distance is exactly
-  /// integrable.
-  bool sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const;
+  /// As ContactSurface::sample. Derivatives are those of the interpolant.
+  bool sample(const Vec3& p, double reach, bool with_hessian, Sample& out) const override;
   /// Signed distance to the surfaces themselves [m], which the nodes hold. A bound on the distance
   /// to the body that is known to hold makes it faster.
   double exact_distance(const Vec3& p, double bound) const;

@@ -8,8 +8,10 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/drape/clear_panel.h"
 #include "loosefit/drape/lay_bands.h"
 #include "loosefit/drape/limb_lines.h"
+#include "loosefit/drape/limb_pieces.h"
 #include "loosefit/drape/openings.h"
 #include "loosefit/drape/panel_roles.h"
 #include "loosefit/drape/polyline.h"
@@ -38,7 +40,6 @@ constexpr double kAboveAnkle = 0.04;   ///< of a trouser leg that is sewn, above
 constexpr double kForTheChest = 0.9;   ///< of the chest's girth, from which a tube may go round it
 constexpr double kShortest = 0.05;     ///< of a leg that is one [m]
 constexpr double kCrotchRoom = 0.015;  ///< of trousers below the crotch [m]
-constexpr double kNextToSkin = 0.006;  ///< of a rolled sleeve, at least [m]
 
 class Arranger {
  public:
@@ -62,8 +63,12 @@ class Arranger {
 
   ArrangedPanels arrange() {
     if (!limb_lines(body_.body())[kHead].empty()) {
-      openings_ = garment_openings(sewn_, pattern_);
+      openings_ = garment_openings(sewn_, pattern_, body_);
       roles_ = panel_roles(open_, pattern_, openings_, placed_);
+      const LimbPieces on_limbs(sewn_, open_, openings_, body_);
+      for (std::size_t k = 0; k < roles_.size(); ++k)
+        if (on_limbs.has(static_cast<int>(k))) roles_[k] = PanelRole::limb;
+      std::erase_if(openings_, [](const Opening& o) { return o.use == kinds::OpeningUse::limb; });
       find_sides();
       bands_ = find_bands(open_, roles_);
       const Vec3 shift = trunk_shift();
@@ -79,24 +84,29 @@ class Arranger {
       }
       std::vector<int> trunk = trunk_vertices();
       std::erase_if(trunk, [&](int v) { return is_wrapped(g_.vertex_panel[v]); });
-      squeeze_between_hands(x_, trunk, body_);
-      if (loop_of(kinds::OpeningUse::left_leg).empty() &&
-          loop_of(kinds::OpeningUse::right_leg).empty())
-        stretch_round_body(x_, trunk, body_);
+      // The arms are within a cape.
+      if (loop_of(kinds::OpeningUse::cape_hem).empty()) {
+        squeeze_between_hands(x_, trunk, body_);
+        if (loop_of(kinds::OpeningUse::left_leg).empty() &&
+            loop_of(kinds::OpeningUse::right_leg).empty())
+          stretch_round_body(x_, trunk, body_);
+      }
       along_arm(PanelRole::left_arm, "_L");
       along_arm(PanelRole::right_arm, "_R");
       for (std::size_t k = 0; k < outside_.size(); ++k)
         if (roles_[k] == PanelRole::trunk && !bands_.count(static_cast<int>(k)) &&
-            !is_wrapped(static_cast<int>(k)))
+            !is_wrapped(static_cast<int>(k)) && !roll_round_trunk(static_cast<int>(k)))
           clear_trunk(static_cast<int>(k));
       lay_bands(open_, bands_, roles_, placed_crotch() ? side_ : std::vector<int>{}, body_, x_);
       for (const auto& [k, band] : bands_) outside_[k].setZero();
+      on_limbs.lay(pattern_, x_, outside_);
     } else {
       for (std::size_t k = 0; k < outside_.size(); ++k) clear_along_normal(static_cast<int>(k));
     }
     std::vector<char> of_trunk(outside_.size(), 0);
     for (std::size_t k = 0; k < roles_.size(); ++k) of_trunk[k] = roles_[k] == PanelRole::trunk;
-    return {std::move(x_), std::move(outside_), std::move(of_trunk), shoulder_seams()};
+    const bool on_limbs = std::ranges::count(roles_, PanelRole::limb) > 0;
+    return {std::move(x_), std::move(outside_), std::move(of_trunk), shoulder_seams(), on_limbs};
   }
 
  private:
@@ -160,11 +170,12 @@ class Arranger {
     return holes;
   }
 
-  /// Vertices of seams between panels with armholes that lie above the middle of these.
+  /// Vertices of seams between panels with armholes that lie above the middle of these; of a cape,
+  /// which has none, those no lower than its neck.
   std::vector<int> shoulder_seams() const {
     if (roles_.empty()) return {};
     const std::vector<int> holes = armholes();
-    if (holes.empty()) return {};
+    if (holes.empty()) return seams_beside_neck();
     const double middle = mean(holes, placed_).z();
     const std::set<int> with_armhole = panels_of(holes);
     std::vector<int> found;
@@ -176,11 +187,34 @@ class Arranger {
     return found;
   }
 
+  std::vector<int> seams_beside_neck() const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int v : cape_neck()) lowest = std::min(lowest, placed_[v].z());
+    std::vector<int> found;
+    for (const std::vector<int>& of : open_.partners)
+      if (std::all_of(of.begin(), of.end(), [&](int v) {
+            return role(v) == PanelRole::trunk && placed_[v].z() > lowest - kAgrees;
+          }))
+        found.insert(found.end(), of.begin(), of.end());
+    return found;
+  }
+
+  /// Vertices at the neck of a cape or poncho.
+  std::vector<int> cape_neck() const {
+    if (loop_of(kinds::OpeningUse::cape_hem).empty()) return {};
+    const std::set<int> loop = loop_of(kinds::OpeningUse::neck);
+    std::vector<int> found;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (loop.count(open_.sewn[v])) found.push_back(v);
+    return found;
+  }
+
   // --- where the trunk's panels go
 
   Vec3 trunk_shift() const {
     geometry::Box3 box;
     for (int v : trunk_vertices()) box.extend(placed_[v]);
+    if (box.isEmpty()) return Vec3::Zero();
     const double dx = body_->joints.at("neck").x() - 0.5 * (box.min().x() + box.max().x());
     const double dz = rise();
     return {std::abs(dx) > kAgrees ? dx : 0, 0, std::abs(dz) > kAgrees ? dz : 0};
@@ -189,6 +223,7 @@ class Arranger {
   double rise() const {
     if (const auto dz = rise_to_shoulders()) return *dz;
     if (const auto dz = rise_to_crotch()) return *dz;
+    if (const auto dz = rise_to_neck()) return *dz;
     if (const auto dz = rise_of_tube()) return *dz;
     return 0;
   }
@@ -214,6 +249,16 @@ class Arranger {
     const double out = std::abs(placed_[top].x() - 0.5 * (box.min().x() + box.max().x()));
     const double share = std::clamp((out - neck) / std::max(0.01, breadth - neck), 0.0, 1.2);
     return hps + share * (tip - hps) - placed_[top].z();
+  }
+
+  /// The highest point of a cape's neck comes to where the neck meets the shoulders.
+  std::optional<double> rise_to_neck() const {
+    const std::vector<int> neck = cape_neck();
+    const auto left = body_->landmarks.find("hps_L"), right = body_->landmarks.find("hps_R");
+    if (neck.empty() || left == body_->landmarks.end() || right == body_->landmarks.end()) return {};
+    double top = -std::numeric_limits<double>::infinity();
+    for (int v : neck) top = std::max(top, placed_[v].z());
+    return 0.5 * (left->second.z() + right->second.z()) - top;
   }
 
   std::optional<double> rise_to_crotch() const {
@@ -363,25 +408,12 @@ class Arranger {
     for (int k : panels) {
       const RolledPanel rolled(open_, placed_, k, from, axis, outside_[k]);
       if (rolled.goes_round()) {
-        roll_round_arm(k, rolled, body_arm, start - begin);
+        rolled.place_clear(body_arm, start - begin, kBeyond, body_, x_);
         outside_[k].setZero();
         continue;
       }
       outside_[k] = geometry::rotation_between(axis, mid) * outside_[k];
       clear_along_normal(k);
-    }
-  }
-
-  /// A sleeve in one piece goes round the arm: wider, then farther out along it, until it is clear
-  /// of the body.
-  void roll_round_arm(int panel, const RolledPanel& sleeve, const Polyline& arm, double offset) {
-    for (int step = 0; step < kSteps; ++step) {
-      sleeve.place(arm, offset + kBeyond * (step / 5), kStep * (step % 5), x_);
-      bool clear = true;
-      for (int v = 0; v < g_.vertex_count && clear; ++v)
-        clear = g_.vertex_panel[v] != panel ||
-                body_.tree().signed_distance(x_[v], nullptr, 1.0) > kNextToSkin;
-      if (clear) return;
     }
   }
 
@@ -421,28 +453,28 @@ class Arranger {
     }
   }
 
+  /// A tube in one piece that is sewn to itself; whether the panel is one.
+  bool roll_round_trunk(int panel) {
+    std::vector<int> of;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (g_.vertex_panel[v] == panel) of.push_back(v);
+    const Vec3 middle = mean(of, x_);
+    const RolledPanel tube(open_, x_, panel, middle, Vec3::UnitZ(), outside_[panel]);
+    if (!tube.goes_round()) return false;
+    const Polyline trunk = trunk_line(limb_lines(body_.body()));
+    tube.place_clear(trunk, trunk.project(middle), 0, body_, x_);
+    outside_[panel].setZero();
+    return true;
+  }
+
   /// Outwards beyond all of the body that lies before the panel. Of one that lies beside the body
   /// the arms are none of its business.
   void clear_trunk(int panel) {
-    const Vec3& n = outside_[panel];
-    const pattern::Panel& flat = pattern_.panels[pattern_.find_panel(g_.panel_names[panel])];
-    const Vec3 u = flat.rotation.col(0), w = flat.rotation.col(1);
-    Eigen::AlignedBox2d box;
-    double plane = 0;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (g_.vertex_panel[v] == panel)
-        box.extend(Vec2(x_[v].dot(u), x_[v].dot(w))), plane = x_[v].dot(n);
-    double farthest = -std::numeric_limits<double>::infinity();
-    const bool beside = std::abs(n.y()) < kSideways;
-    for (std::size_t i = 0; i < body_->surface.vertices.size(); ++i) {
-      if (beside && is_of_arm(body_.body(), i)) continue;
-      const Vec3& p = body_->surface.vertices[i];
-      if (box.contains(Vec2(p.dot(u), p.dot(w)))) farthest = std::max(farthest, p.dot(n));
-    }
-    const double out = farthest + kClear - plane;
-    if (!(out > 0)) return;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (g_.vertex_panel[v] == panel) x_[v] += out * n;
+    Mat3 frame = pattern_.panels[pattern_.find_panel(g_.panel_names[panel])].rotation;
+    frame.col(2) = outside_[panel];
+    const bool beside = std::abs(outside_[panel].y()) < kSideways;
+    const auto counts = [&](std::size_t i) { return !(beside && is_of_arm(body_.body(), i)); };
+    clear_panel(open_, panel, frame, kClear, body_, counts, x_);
   }
 
   const garment::Garment& sewn_;

@@ -15,8 +15,10 @@ struct ArrangedPanels {
   std::vector<Vec3> outside;
   std::vector<char> of_trunk;  ///< per panel
   /// Vertices at which a wearer would hold the garment up: those of seams between panels with
-  /// armholes, above these.
+  /// armholes, above these; of a cape, of seams beside its neck.
   std::vector<int> shoulders;
+  /// Some of them are worn on one limb by themselves, which nothing holds up while they are sewn.
+  bool on_limbs = false;
 };
 
 /// Arranges the panels of a garment round this body, whatever body and posture their placement was
@@ -33,7 +35,10 @@ struct ArrangedPanels {
 /// * panels of legs are sheared to go along the legs, and squeezed to end above the feet;
 /// * what is wider than the way between the hands is squeezed to lie between them, what is narrower
 ///   than the body below its crotch is stretched to lie round it;
-/// * a leg in one piece is laid round the outside of body and leg (wrapped_leg.h);
+/// * the neck of a cape comes to the neck, over the arms;
+/// * pieces that are worn on one limb go with it (limb_pieces.h);
+/// * a tube in one piece is rolled round the trunk, a leg in one piece is laid round the outside of
+///   body and leg (wrapped_leg.h);
 /// * bands in one piece, sewn to themselves, are rings round what they are sewn to (band_ring.h);
 /// * then every other panel moves along its outside normal until it is clear of the body.
 ///

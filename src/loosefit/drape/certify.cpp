@@ -22,7 +22,8 @@ Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const body::P
   for (const auto& [a, b] : cuts)
     c.intersections_layers += cloth.triangle_layer[a] != cloth.triangle_layer[b];
   c.intersections_body =
-      static_cast<int>(geometry::mesh_intersections(x, cloth.triangles, body.tree()).size());
+      static_cast<int>(geometry::mesh_intersections(x, cloth.triangles, body.tree()).size() +
+                       model.below_floor(x).size());
   c.allowed_residual = allowed_residual;
   if (enough == solver::RestGrade::b && c.intersections_body + c.intersections_self == 0 &&
       c.residual <= solver::kRestToleranceB)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "loosefit/geometry/flat_triangle.h"
 
@@ -38,6 +39,21 @@ contact::ContactLattice layer_lattice(const ClothMesh& mesh, int layer,
   const int halves = std::max(1, static_cast<int>(std::ceil(0.5 * edge / tuning.lattice_spacing)));
   return {mesh.triangles_of(layer), area, mesh.first_vertex[layer],
           mesh.first_vertex[layer + 1] - mesh.first_vertex[layer], 2 * halves};
+}
+
+/// The corners of a layer as contact points, each with a third of the triangles that meet in it:
+/// cloth between them lies no lower.
+std::vector<contact::ContactPoint> corner_points(const ClothMesh& mesh, int layer, double offset) {
+  const int first = mesh.first_vertex[layer];
+  std::vector<contact::ContactPoint> points(mesh.first_vertex[layer + 1] - first);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].particle[0] = first + static_cast<int>(i);
+    points[i].weight[0] = 1;
+    points[i].offset = offset;
+  }
+  for (int t = mesh.first_triangle[layer]; t < mesh.first_triangle[layer + 1]; ++t)
+    for (int v : mesh.triangles[t]) points[v - first].area += mesh.area[t] / 3;
+  return points;
 }
 
 }  // namespace
@@ -89,6 +105,10 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
     body_.push_back(std::make_unique<contact::BodyContact>(
         lattice_.back().first_points(half_thickness_.back()), contact_stiffness_.back(),
         m.friction_body, tuning.stick_reach));
+    floor_.push_back(std::make_unique<contact::BodyContact>(
+        corner_points(mesh_, l, half_thickness_.back()), contact_stiffness_.back(),
+        m.friction_body, tuning.stick_reach));
+    under_soles_.push_back(layers[l].under_soles);
     // A single layer needs no thickness by triangle.
     if (mesh_.layers() > 1)
       contact.triangle_thickness.resize(mesh_.first_triangle[l + 1], layers[l].self_thickness);
@@ -113,6 +133,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   system_.energies.push_back(gravity_.get());
   system_.energies.push_back(load_.get());
   for (const auto& e : body_) system_.energies.push_back(e.get());
+  for (const auto& e : floor_) system_.energies.push_back(e.get());
   system_.energies.push_back(self_.get());
   system_.gravity = options.gravity;
 }
@@ -143,16 +164,19 @@ void ClothModel::soften_body_contact(double thickness) {
 }
 
 void ClothModel::set_hardening(double share) {
-  for (const auto& contact : body_) contact->set_hardening(share);
+  for (const auto* contacts : {&body_, &floor_})
+    for (const auto& contact : *contacts) contact->set_hardening(share);
 }
 
 void ClothModel::set_friction_share(double share) {
-  for (const auto& contact : body_) contact->set_friction_share(share);
+  for (const auto* contacts : {&body_, &floor_})
+    for (const auto& contact : *contacts) contact->set_friction_share(share);
   self_->set_friction_share(share);
 }
 
 void ClothModel::forget_anchors() {
-  for (const auto& contact : body_) contact->forget_anchors();
+  for (const auto* contacts : {&body_, &floor_})
+    for (const auto& contact : *contacts) contact->forget_anchors();
   self_->forget_anchors();
 }
 
@@ -164,10 +188,11 @@ ClothModel::Forces ClothModel::forces(const particles::VectorField& x) const {
   for (const auto& e : bands_) e->add_gradient(x, membrane);
   for (const auto& e : bending_) e->add_gradient(x, bending);
   gravity_->add_gradient(x, gravity);
-  for (const auto& e : body_) {
-    e->add_gradient(x, body);
-    e->add_friction(x, body_friction);
-  }
+  for (const auto* contacts : {&body_, &floor_})
+    for (const auto& e : *contacts) {
+      e->add_gradient(x, body);
+      e->add_friction(x, body_friction);
+    }
   self_->add_gradient(x, self);
   self_->add_friction(x, self_friction);
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -178,13 +203,35 @@ ClothModel::Forces ClothModel::forces(const particles::VectorField& x) const {
   return forces;
 }
 
-void ClothModel::set_field(const std::shared_ptr<const contact::DistanceField>& field) {
-  for (const auto& contact : body_) contact->set_field(field);
+void ClothModel::set_body(const ContactBody& body) {
+  floor_surface_ = body.floor;
+  for (std::size_t l = 0; l < body_.size(); ++l) {
+    body_[l]->set_field(body.field);
+    floor_[l]->set_field(under_soles_[l] ? nullptr : body.floor);
+  }
+}
+
+std::vector<int> ClothModel::below_floor(const particles::VectorField& x) const {
+  std::vector<int> found;
+  if (!floor_surface_) return found;
+  for (int t = 0; t < static_cast<int>(mesh_.triangles.size()); ++t)
+    if (!under_soles_[mesh_.triangle_layer[t]] &&
+        std::ranges::any_of(mesh_.triangles[t],
+                            [&](int v) { return x[v].z() < floor_surface_->height(); }))
+      found.push_back(t);
+  return found;
+}
+
+double ClothModel::floor_force(const particles::VectorField& x) const {
+  std::vector<double> force(x.size(), 0.0);
+  for (const auto& contact : floor_) contact->add_normal_force(x, force);
+  return std::accumulate(force.begin(), force.end(), 0.0);
 }
 
 ClothMemory ClothModel::memory() const {
-  ClothMemory memory{{}, lattice_, self_->memory(), {}};
+  ClothMemory memory{{}, {}, lattice_, self_->memory(), {}};
   for (const auto& contact : body_) memory.body.push_back(contact->memory());
+  for (const auto& contact : floor_) memory.floor.push_back(contact->memory());
   for (const auto& bending : bending_) memory.bending.push_back(bending->memory());
   return memory;
 }
@@ -192,6 +239,7 @@ ClothMemory ClothModel::memory() const {
 void ClothModel::recall(const ClothMemory& memory) {
   for (std::size_t l = 0; l < body_.size(); ++l) {
     body_[l]->recall(memory.body[l]);
+    floor_[l]->recall(memory.floor[l]);
     bending_[l]->recall(memory.bending[l]);
   }
   lattice_ = memory.lattice;

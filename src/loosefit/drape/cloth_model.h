@@ -6,6 +6,7 @@
 #include "loosefit/contact/contact_lattice.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/drape/cloth_layer.h"
+#include "loosefit/drape/contact_body.h"
 #include "loosefit/drape/drape_options.h"
 #include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/band_energy.h"
@@ -20,6 +21,7 @@ namespace loosefit::drape {
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
   std::vector<contact::BodyContact::Memory> body;  ///< per layer
+  std::vector<contact::BodyContact::Memory> floor;  ///< per layer
   std::vector<contact::ContactLattice> lattice;    ///< per layer
   contact::SelfContact::Memory self;
   std::vector<std::vector<fabric::PlaneRows>> bending;
@@ -31,6 +33,8 @@ struct ModelLayer {
   fabric::Material material;
   double self_thickness = 5e-4;  ///< distance at which it begins to repel cloth, shared by both [m]
   std::optional<double> friction_over = {};  ///< as ClothLayer::friction_over
+  /// It goes under the soles, as a sock does: the floor on which the skin stands is not for it.
+  bool under_soles = false;
 };
 
 /// μ between each two layers [–], symmetric, friction_self on the diagonal.
@@ -55,11 +59,15 @@ class ClothModel {
   const contact::BodyContact& body(int layer = 0) const { return *body_[layer]; }
   /// Of the points of that contact.
   contact::ContactLattice& lattice(int layer = 0) { return lattice_[layer]; }
-  /// Of the body contact of every layer.
-  void set_field(const std::shared_ptr<const contact::DistanceField>& field);
+  /// What every layer touches, the skin and the floor; both are kept.
+  void set_body(const ContactBody& body);
+  /// Triangles that reach below the floor, ascending.
+  std::vector<int> below_floor(const particles::VectorField& x) const;
+  /// Σ of the normal forces of the floor on all layers [N].
+  double floor_force(const particles::VectorField& x) const;
 
   /// Forces on every particle [N], by kind in the order of kForceNames; those of bands that are
-  /// sewn on are counted with the membrane.
+  /// sewn on are counted with the membrane, those of the floor with the body.
   using Forces = std::array<particles::VectorField, kForceNames.size()>;
   Forces forces(const particles::VectorField& x) const;
 
@@ -97,7 +105,10 @@ class ClothModel {
   std::vector<std::unique_ptr<fabric::BandEnergy>> bands_;
   std::unique_ptr<particles::GravityEnergy> gravity_;
   std::unique_ptr<particles::DeadLoad> load_;
-  std::vector<std::unique_ptr<contact::BodyContact>> body_;
+  std::vector<std::unique_ptr<contact::BodyContact>> body_;   // per layer, with the skin
+  std::vector<std::unique_ptr<contact::BodyContact>> floor_;  // per layer
+  std::vector<char> under_soles_;                             // per layer
+  std::shared_ptr<const contact::Floor> floor_surface_;
   std::vector<contact::ContactLattice> lattice_;  // per layer
   std::unique_ptr<contact::SelfContact> self_;
   std::vector<double> half_thickness_, contact_stiffness_;  // per layer

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/drape/openings.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "loosefit/geometry/folded_edges.h"
 #include "loosefit/solver/implicit_euler.h"
@@ -41,6 +43,8 @@ ClothState::ClothState(const std::vector<ClothLayer>& cloth, const DrapeOptions&
     if (layer.garment->levels.size() != layers.front().garment->levels.size())
       throw InvalidInput("garments worn over each other need meshes of the same levels");
   tuning.validate();
+  for (const ClothLayer& layer : layers)
+    under_soles_.push_back(goes_under_soles(layer.garment->levels.front(), layer.garment->pattern));
 }
 
 std::vector<const garment::Garment*> ClothState::garments() const {
@@ -56,6 +60,7 @@ bool ClothState::must_stop() const {
 Stop ClothState::how_it_ended() const {
   if (given_up) return *given_up;
   if (went_back) return *went_back;
+  if (stalled) return *stalled;
   if (falling) return *falling;
   // A loose tolerance may have been met when time or iterations were used up: that is not why it
   // stopped.
@@ -79,13 +84,14 @@ void ClothState::make_model(double stiffness_share, bool with_friction) {
       one.friction_over = 0;
     }
     fabric::scale_membrane(one.material, stiffness_share);
+    one.under_soles = under_soles_[l];
     one.self_thickness =
         one.material.thickness * (is_finest() ? 1.0 : tuning.cloth.coarse_thickness);
     parts.push_back(std::move(one));
   }
   integrator_.reset();
   model = std::make_unique<ClothModel>(parts, options);
-  model->set_field(body->field);
+  model->set_body(*body);
   free_fall_.emplace(garments(), tuning.free_fall);
 }
 
@@ -120,7 +126,28 @@ bool ClothState::is_near_enough(double residual) {
          solver::residual_of(model->system(), model->system().gradient(x)).largest <=
              solver::kRestLargestB && geometry::self_intersections(x, triangles()).empty() &&
          geometry::folded_edges(x, triangles()).empty() &&
-         geometry::mesh_intersections(x, triangles(), body->body.tree()).empty();
+         geometry::mesh_intersections(x, triangles(), body->body.tree()).empty() &&
+         model->below_floor(x).empty();
+}
+
+bool ClothState::is_stalled(int iteration, double residual) {
+  const auto height = [this] {
+    double sum = 0;
+    for (const Vec3& p : x) sum += p.z();
+    return sum / static_cast<double>(x.size());
+  };
+  const int since = iteration - progress_at_;
+  if (residual < tuning.stall.progress * progress_to_) {
+    progress_to_ = residual, progress_at_ = iteration, progress_height_ = height();
+    return false;
+  }
+  if (since < tuning.stall.iterations) return false;
+  if (const double sunk = progress_height_ - height(); sunk > tuning.stall.slides)
+    falling = Stop{.reason = StopReason::slides_down, .iterations = since, .sunk = sunk};
+  else
+    stalled = Stop{
+        .reason = StopReason::no_progress, .iterations = since, .residual = progress_to_};
+  return true;
 }
 
 void ClothState::settle(const SettleGoal& goal) {
@@ -158,9 +185,12 @@ void ClothState::settle(const SettleGoal& goal) {
     if (counts && (!lowest || residual < tuning.certify.worth_keeping * lowest->residual))
       keep(lowest, residual);
     if (!falling) falling = free_fall_->falling(x, body_box);
-    return falling || budget.time_is_up() || budget.phase_is_over(iteration);
+    return falling || budget.time_is_up() || budget.phase_is_over(iteration) ||
+           (counts && kind == IntegratorKind::quasi_static && is_stalled(iteration, residual));
   };
   went_back.reset();
+  stalled.reset();
+  progress_to_ = std::numeric_limits<double>::infinity(), progress_at_ = 0;
   asked_ = 0;
   if (goal.last_of_all && options.grade == solver::RestGrade::b && counts)
     settle.near_enough = [this](double residual) { return is_near_enough(residual); };

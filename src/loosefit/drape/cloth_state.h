@@ -86,6 +86,7 @@ struct ClothState {
   solver::SettleOutcome last;         ///< of the last `settle`
   std::optional<Stop> falling;        ///< cloth that nothing holds: all further work is vain
   std::optional<Stop> given_up;       ///< a posture that is not followed further
+  std::optional<Stop> stalled;        ///< the last settling made no progress; a new one begins anew
   std::optional<Stop> went_back;   ///< how the kept state had ended that `x` is; settling ends it
   std::string no_room;             ///< why the garment cannot be laid round the body; or empty
   body::BodyPath path, wide_path;  ///< of the body; the second for more room, may be empty
@@ -132,8 +133,8 @@ struct ClothState {
 
   /// No time or iterations are left, or what falls freely has made all further work vain.
   bool must_stop() const;
-  /// That, or the phase has had its iterations.
-  bool is_over() const { return must_stop() || budget.phase_is_over(); }
+  /// That, or the phase has had its iterations or makes no progress.
+  bool is_over() const { return must_stop() || stalled || budget.phase_is_over(); }
   /// How what `x` is ended: the last settling, unless something else cut it short.
   Stop how_it_ended() const;
 
@@ -159,11 +160,17 @@ struct ClothState {
   bool recover(RecoveryPoint point);
 
  private:
+  /// Whether the lowest residual has not fallen for too long (StallTuning).
+  bool is_stalled(int iteration, double residual);
   /// Whether a place of residual below the next of CertifyTuning::ask_tolerances will do as it is.
   bool is_near_enough(double residual);
 
+  std::vector<char> under_soles_;                   ///< per layer (goes_under_soles)
   double fraction_ = 0;                             ///< that progress was told last
   std::size_t asked_ = 0;                           ///< of the tolerances, in this settling
+  double progress_to_ = 0;                          ///< the residual at its last fall
+  int progress_at_ = 0;                             ///< iteration of that
+  double progress_height_ = 0;                      ///< of the middle of the cloth then [m]
   std::optional<FreeFall> free_fall_;               ///< of the garments of this level
   std::unique_ptr<solver::Integrator> integrator_;  ///< of `model`
   IntegratorKind integrator_kind_ = IntegratorKind::quasi_static;

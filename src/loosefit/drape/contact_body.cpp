@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loosefit/body/floor_under.h"
 #include "loosefit/drape/cleft_cover.h"
 #include "loosefit/geometry/convex_hull.h"
 
@@ -49,7 +50,11 @@ std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geomet
       geometry::Box3(cloth.min() - margin - tuning.field_margin_below * Vec3::UnitZ(),
                      cloth.max() + margin),
       spacing, covers);
-  return std::make_shared<const ContactBody>(ContactBody{std::move(body), std::move(field)});
+  std::shared_ptr<const contact::Floor> floor;
+  if (const auto height = body::floor_under(body.body()))
+    floor = std::make_shared<const contact::Floor>(*height);
+  return std::make_shared<const ContactBody>(
+      ContactBody{std::move(body), std::move(field), std::move(floor)});
 }
 
 std::vector<MotionMap> skin_motion(const body::PosedBody& from, const body::Body& to,

@@ -3,14 +3,16 @@
 
 #include "loosefit/body/posed_body.h"
 #include "loosefit/contact/distance_field.h"
+#include "loosefit/contact/floor.h"
 #include "loosefit/drape/settling_tuning.h"
 
 namespace loosefit::drape {
 
-/// A posed body with the distance field of its skin round the cloth.
+/// A posed body with the distance field of its skin round the cloth, and the floor it stands on.
 struct ContactBody {
   body::PosedBody body;
   std::shared_ptr<const contact::DistanceField> field;  ///< asks the tree of `body`
+  std::shared_ptr<const contact::Floor> floor;          ///< body::floor_under; null: none
 };
 
 /// cloth: box round the cloth; the field covers it with a margin for motion, the larger one below.

@@ -17,7 +17,8 @@ namespace loosefit::drape {
 struct Certificate {
   double residual = 1;  ///< ‖F‖₂ / ‖W‖₂ over free particles, W of the cloth alone [–]
   double residual_max = 1;       ///< max ‖F_i‖ / mean ‖W_i‖ [–]
-  int intersections_body = -1;   ///< triangle pairs, exact test; -1 = not tested
+  /// Triangle pairs, exact test, and triangles that reach below the floor; -1 = not tested.
+  int intersections_body = -1;
   int intersections_self = -1;   ///< the same, and folded edges
   std::string stop_reason;       ///< "converged", "time budget", "iteration limit", …
   int intersections_layers = 0;  ///< of intersections_self, those between two garments
@@ -86,6 +87,7 @@ struct SettleReport {
   int ccd_queries = 0;
   std::vector<PartWork> parts;  ///< in the order of the run
   int contacts_body = 0, contacts_self = 0;
+  double floor_force = 0;  ///< Σ of the normal forces of the floor on the cloth [N]
   /// Triangles that cut the skin and are held off beyond half the fabric thickness, and the largest
   /// rest distance from the skin that any contact point has for it [m].
   int held_off_triangles = 0;

@@ -64,9 +64,9 @@ CutTriangle cut_triangle(const Wardrobe& w, const std::vector<Vec3>& x, int t) {
   return cut;
 }
 
-/// Every triangle that cuts something, once for each thing that it cuts.
+/// Every triangle that cuts something, once for each thing that it cuts. `below`: the floor.
 std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
-                                  const body::PosedBody& body) {
+                                  const body::PosedBody& body, const std::vector<int>& below) {
   std::vector<CutTriangle> cuts;
   std::map<std::pair<int, std::string>, bool> seen;
   const auto add = [&](int t, const std::string& with) -> CutTriangle* {
@@ -84,6 +84,8 @@ std::vector<CutTriangle> all_cuts(const Wardrobe& w, const std::vector<Vec3>& x,
     cut->body = true;
     if (!body->segment.empty()) cut->segment = body->segment[skin_vertex];
   }
+  for (int t : below)
+    if (CutTriangle* cut = add(t, "floor")) cut->body = true;
   for (const auto& [t, s] : geometry::self_intersections(x, triangles))
     add(t, w.panel_of_triangle(s));
   for (const auto& [t, s] : geometry::folded_edges(x, triangles)) add(t, w.panel_of_triangle(s));
@@ -162,7 +164,7 @@ Unsettled explain_unsettled(ClothModel& model, const std::vector<const garment::
     for (std::size_t f = 0; f < forces.size(); ++f) v.force[f] = forces[f][i].norm();
     u.worst.push_back(std::move(v));
   }
-  u.cuts = all_cuts(wardrobe, x, body);
+  u.cuts = all_cuts(wardrobe, x, body, model.below_floor(x));
   if (!certificate.is_balanced() && !u.worst.empty()) u.why = balance_in_words(u);
   for (bool of_body : {true, false}) {
     const std::string text = cuts_in_words(u.cuts, of_body);

@@ -22,15 +22,20 @@ Polyline limb_of(const BandRing& band, PanelRole role, const std::vector<int>& l
   };
   if (all_of_leg(1)) return beyond(kLeftLeg, 2);
   if (all_of_leg(-1)) return beyond(kRightLeg, 2);
-  return Polyline({lines[kLeftLeg][1], lines[kHead][1], lines[kHead][2]});
+  return trunk_line(lines);
 }
 
 }  // namespace
+
+Polyline trunk_line(const LimbLines& lines) {
+  return Polyline({lines[kLeftLeg][1], lines[kHead][1], lines[kHead][2]});
+}
 
 std::map<int, BandRing> find_bands(const garment::OpenSeams& open,
                                    const std::vector<PanelRole>& roles) {
   std::map<int, BandRing> bands;
   for (std::size_t k = 0; k < roles.size(); ++k) {
+    if (roles[k] == PanelRole::limb) continue;
     auto band = BandRing::find(open, static_cast<int>(k));
     if (!band) continue;
     const bool at_trunk = std::any_of(band->sewn_to().begin(), band->sewn_to().end(),

@@ -3,9 +3,13 @@
 #include <vector>
 
 #include "loosefit/drape/band_ring.h"
+#include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/panel_roles.h"
 
 namespace loosefit::drape {
+
+/// The middle of the trunk: from the hips over the neck.
+Polyline trunk_line(const LimbLines& lines);
 
 /// The bands in one piece of a garment, by panel of open.garment. A tube that is sewn to the trunk
 /// along an armhole is a sleeve, not a band, unless it is narrow.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +10,8 @@
 #include "loosefit/base/check.h"
 #include "loosefit/base/union_find.h"
 #include "loosefit/drape/limb_lines.h"
+#include "loosefit/drape/polyline.h"
+#include "loosefit/drape/rest_levels.h"
 #include "loosefit/garment/flat_lengths.h"
 #include "loosefit/geometry/box.h"
 #include "loosefit/geometry/mesh_topology.h"
@@ -18,6 +21,10 @@
 namespace loosefit::drape {
 namespace {
 
+constexpr double kNeck = 0.88;   ///< of stature, above which nothing of a wearer begins
+constexpr double kAside = 0.04;  ///< from the middle of the body, beside it [m]
+constexpr double kFoot = 0.12;   ///< height of a foot [m]
+constexpr double kFace = 0.04;   ///< of stature, from the neck's joint up to the chin
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
 constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its middle is beside it
 constexpr double kOffCentre = 0.25;   ///< of an opening's own width, likewise
@@ -30,16 +37,6 @@ constexpr double kUsualChest = 0.55;  ///< of the stature, where the body does n
 struct Pair {
   int left, right;
 };
-
-/// The connected piece of cloth to which each vertex belongs.
-std::vector<int> pieces(const garment::Garment& garment) {
-  UnionFind sets(garment.vertex_count);
-  for (const Triangle& t : garment.triangles)
-    for (int k = 1; k < 3; ++k) sets.unite(t[0], t[k]);
-  std::vector<int> of(garment.vertex_count);
-  for (int v = 0; v < garment.vertex_count; ++v) of[v] = sets.find(v);
-  return of;
-}
 
 /// Label that most vertices' pieces have.
 std::string panel_label(const std::vector<int>& loop, const garment::Garment& garment,
@@ -251,7 +248,128 @@ bool tell_by_kind(std::vector<Opening>& openings, const garment::Garment& garmen
   return !made.empty();
 }
 
+/// Tells by the lines of a wearer in rest posture what pieces with one or two openings are for.
+class ByWearer {
+ public:
+  ByWearer(const garment::Garment& garment, const pattern::Pattern& pattern,
+           const std::vector<Vec3>& placed, const body::PosedBody& body)
+      : garment_(garment), pattern_(pattern), placed_(placed), piece_(pieces_of_cloth(garment)) {
+    const RestLevels levels(body);
+    height_ = levels.height;
+    joints_ = levels.joints();
+    lines_ = limb_lines(joints_);
+    cape_ = kForTheWaist * chest_girth(body, levels);
+  }
+
+  void tell(std::vector<Opening*> of) const {
+    const auto labelled = [](const Opening* o) { return o->at_waist || o->at_chest; };
+    if (lines_[kHead].empty() || of.size() > 2 || std::ranges::any_of(of, labelled)) return;
+    if (of.size() == 2 && !is_upper_end(*of[0], *of[1])) std::swap(of[0], of[1]);
+    LimbNumbers round = limbs_through_openings(of[0]->loop, placed_, lines_);
+    if (of.size() == 2 && round == kRoundNothing) round = as_if_smaller(*of[0]);
+    if (of.size() == 2)
+      tell_tube(*of[0], *of[1], round);
+    else if (is_one_limb(round) && of[0]->use == kinds::OpeningUse::unknown)
+      for_limb(of, round, true);
+    const bool told = std::ranges::any_of(of, [](const Opening* o) {
+      return o->use != kinds::OpeningUse::tube && o->use != kinds::OpeningUse::unknown;
+    });
+    const auto for_no_limb = [&](const Opening* o) { return o->girth > kWidestLimb * cape_; };
+    if (!told && round == kRoundNothing && std::ranges::none_of(of, for_no_limb))
+      if (const int limb = limb_beside(of.front()->piece); limb != kLimbs)
+        for_limb(of, round_limb(Limb(limb)), false);
+  }
+
+ private:
+  /// The same of a cape that was placed for somebody so tall that it begins above this neck.
+  LimbNumbers as_if_smaller(const Opening& upper) const {
+    double top = 0;
+    for (const Vec3& p : placed_) top = std::max(top, p.z());
+    const double share = kNeck * height_ / std::max(1e-9, top);
+    if (!(share < 1)) return kRoundNothing;
+    std::vector<Vec3> smaller = placed_;
+    for (int v : upper.loop) smaller[v].z() *= share;
+    const LimbNumbers round = limbs_through_openings(upper.loop, smaller, lines_);
+    return round == kRoundNeck ? round : kRoundNothing;
+  }
+
+  static bool is_one_limb(const LimbNumbers& round) {
+    return std::ranges::count(round, 0) == kLimbs - 1;
+  }
+
+  static void for_limb(const std::vector<Opening*>& of, const LimbNumbers& round, bool as_placed) {
+    for (Opening* o : of)
+      o->use = kinds::OpeningUse::limb, o->round = round, o->placed_round = as_placed;
+  }
+
+  bool is_above_neck(const Vec3& p) const {
+    return p.z() > joints_.at("neck").z() + kFace * height_;
+  }
+
+  void tell_tube(Opening& upper, Opening& lower, const LimbNumbers& round) const {
+    const bool above_neck = is_above_neck(lower.placed);
+    if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
+      upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
+    } else if (round == kRoundNeck && upper.girth < cape_ && !above_neck) {
+      upper.use = kinds::OpeningUse::neck, lower.use = kinds::OpeningUse::cape_hem;
+    } else if (is_one_limb(round) && (round != kRoundNeck || above_neck) &&
+               upper.girth < kWidestLimb * cape_) {
+      for_limb({&upper, &lower}, round, true);
+    } else {
+      upper.use = lower.use = kinds::OpeningUse::tube;
+    }
+  }
+
+  /// The limb beside which a piece lies that goes round none as it is placed: that of somebody who
+  /// holds it otherwise, or a strip that is not yet sewn to a ring; kLimbs: none.
+  int limb_beside(int piece) const {
+    Vec3 sum = Vec3::Zero();
+    int count = 0, arm = 0, leg = 0;
+    for (int v = 0; v < garment_.vertex_count; ++v) {
+      if (piece_[v] != piece) continue;
+      sum += placed_[v], ++count;
+      const int panel = pattern_.find_panel(garment_.panel_names[garment_.vertex_panel[v]]);
+      if (panel < 0) continue;
+      arm += pattern_.panels[panel].label == "arm", leg += pattern_.panels[panel].label == "leg";
+    }
+    const Vec3 centre = sum / count;
+    const double aside = centre.x() - joints_.at("neck").x();
+    if (arm + leg == 0 && is_above_neck(centre) && std::abs(aside) < kAside) return kHead;
+    if (std::abs(aside) < kAside) return kLimbs;
+    const int side = aside > 0 ? 1 : -1;
+    const Limb of_arm = side > 0 ? kLeftArm : kRightArm, of_leg = side > 0 ? kLeftLeg : kRightLeg;
+    const auto away = [&](Limb limb) {
+      const Polyline line({lines_[limb].begin() + 1, lines_[limb].end()});
+      return (line.at(std::max(0.0, line.project(centre))).point - centre).norm();
+    };
+    if (arm != leg) return arm > leg ? of_arm : of_leg;
+    return away(of_arm) < away(of_leg) ? of_arm : of_leg;
+  }
+
+  const garment::Garment& garment_;
+  const pattern::Pattern& pattern_;
+  const std::vector<Vec3>& placed_;
+  std::vector<int> piece_;
+  std::map<std::string, Vec3> joints_;
+  LimbLines lines_;
+  double height_ = 0;  ///< stature [m]
+  double cape_ = 0;    ///< widest girth of the neck of a cape [m]
+};
+
 }  // namespace
+
+std::vector<Opening> garment_openings(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern,
+                                      const body::PosedBody& body) {
+  std::vector<Opening> openings = garment_openings(garment, pattern);
+  const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
+  if (placed.empty() || limb_lines(body.body())[kHead].empty()) return openings;
+  const ByWearer wearer(garment, pattern, placed, body);
+  std::map<int, std::vector<Opening*>> of_piece;
+  for (Opening& o : openings) of_piece[o.piece].push_back(&o);
+  for (auto& [piece, of] : of_piece) wearer.tell(of);
+  return openings;
+}
 
 bool is_upper_end(const Opening& a, const Opening& b) {
   return a.is_named_top() != b.is_named_top() ? a.is_named_top() : a.placed.z() >= b.placed.z();
@@ -296,7 +414,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
   const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
   const geometry::MeshTopology topology(garment.triangles);
   const std::vector<double> lengths = garment::flat_lengths(garment, topology);
-  const std::vector<int> piece = pieces(garment);
+  const std::vector<int> piece = pieces_of_cloth(garment);
   const std::map<int, bool> of_legs = pieces_of_legs(piece, garment, pattern);
   const std::vector<int> waist = labelled_vertices(garment, pattern, "lower_interface"),
                          chest = labelled_vertices(garment, pattern, "strapless_top");
@@ -346,39 +464,33 @@ double chest_girth(const body::Body& body, const RestLevels& levels) {
   return chest != body.measured.end() ? chest->second : kUsualChest * levels.height;
 }
 
-std::vector<Opening> garment_openings(const garment::Garment& garment,
-                                      const pattern::Pattern& pattern, const body::Body& body,
-                                      const RestLevels& levels) {
-  std::vector<Opening> openings = garment_openings(garment, pattern);
-  if (!limb_lines(body)[kHead].empty())
-    tell_tubes(openings, placed_by_pattern(garment, pattern), limb_lines(levels.joints()),
-               kForTheWaist * chest_girth(body, levels));
-  return openings;
+std::vector<int> pieces_of_cloth(const garment::Garment& garment) {
+  UnionFind sets(garment.vertex_count);
+  for (const Triangle& t : garment.triangles)
+    for (int k = 1; k < 3; ++k) sets.unite(t[0], t[k]);
+  std::vector<int> of(garment.vertex_count);
+  for (int v = 0; v < garment.vertex_count; ++v) of[v] = sets.find(v);
+  return of;
 }
 
-void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
-                const LimbLines& lines, double cape) {
-  if (placed.empty() || lines[kHead].empty()) return;
-  std::map<int, std::vector<Opening*>> of_piece;
-  for (Opening& o : openings) of_piece[o.piece].push_back(&o);
-  for (auto& [piece, ends] : of_piece) {
-    const auto labelled = [](const Opening* o) { return o->at_waist || o->at_chest; };
-    if (ends.size() != 2 || std::any_of(ends.begin(), ends.end(), labelled)) continue;
-    if (!is_upper_end(*ends[0], *ends[1])) std::swap(ends[0], ends[1]);
-    Opening &upper = *ends[0], &lower = *ends[1];
-    const LimbNumbers round = limbs_through_openings(upper.loop, placed, lines);
-    const bool one_limb = round != kRoundNeck &&
-                          std::count(round.begin(), round.end(), 0) == kLimbs - 1 &&
-                          upper.girth < kWidestLimb * cape;
-    if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
-      upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
-    } else if (round == kRoundNeck && upper.girth < cape) {
-      upper.use = kinds::OpeningUse::neck, lower.use = kinds::OpeningUse::cape_hem;
-    } else {
-      for (Opening* o : ends) o->use = one_limb ? kinds::OpeningUse::limb : kinds::OpeningUse::tube;
-      if (one_limb) upper.round = lower.round = round;
-    }
+bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern) {
+  const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
+  if (placed.empty()) return false;
+  const std::vector<int> piece = pieces_of_cloth(garment);
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  std::map<int, double> lowest, lowest_rim;
+  for (int v = 0; v < garment.vertex_count; ++v) {
+    double& low = lowest.try_emplace(piece[v], kNever).first->second;
+    low = std::min(low, placed[v].z());
   }
+  for (const Opening& o : garment_openings(garment, pattern)) {
+    double& low = lowest_rim.try_emplace(o.piece, kNever).first->second;
+    for (int v : o.loop) low = std::min(low, placed[v].z());
+  }
+  return std::ranges::any_of(lowest_rim, [&](const auto& rim) {
+    const double low = lowest.at(rim.first);
+    return low < kFoot && rim.second - low > kFoot;
+  });
 }
 
 }  // namespace loosefit::drape

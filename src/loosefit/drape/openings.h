@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/rest_levels.h"
 #include "loosefit/garment/garment.h"
@@ -18,6 +19,8 @@ struct Opening {
   Vec3 placed = Vec3::Zero();         ///< its middle where the pattern places the pieces [m]
   int piece = 0;                      ///< connected piece of cloth; equal for openings of the same
   LimbNumbers round = kRoundNothing;  ///< for a limb: which
+  /// For a limb: it goes round it where the pattern places it, too.
+  bool placed_round = false;
   bool at_waist = false;              ///< an edge is labelled "lower_interface"
   bool at_chest = false;              ///< an edge is labelled "strapless_top"
   /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
@@ -45,25 +48,30 @@ bool is_upper_end(const Opening& a, const Opening& b);
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern);
 
-/// Tells by a wearer what tubes with two ends are for: what the upper end goes round where the
-/// pattern is placed (`placed`, [m]) on a wearer with these lines in rest posture. The trunk: a
-/// skirt or a strapless dress; the neck: a cape or a poncho, unless it is too wide for one
-/// (`cape`, widest girth [m]) or of legs, a skirt that was placed for somebody taller; one limb,
-/// unless it is too wide for one: a stocking; anything else, as of a pattern that was placed for
-/// another wearer: what goes through both ends. Labels of edges come before.
-void tell_tubes(std::vector<Opening>& openings, const std::vector<Vec3>& placed,
-                const LimbLines& lines, double cape);
+/// The same where the wearer tells what pieces of cloth with one or two openings are for: what the
+/// upper opening goes round where the pattern is placed on a wearer in rest posture. Of two: the
+/// trunk: a skirt or a strapless dress; the neck: a cape or a poncho, unless it is wider than 0.9
+/// of the chest or of legs, a skirt that was placed for somebody taller; one limb, unless it is too
+/// wide for one: a stocking, an arm band, above the neck a head band; anything else, as of a
+/// pattern that was placed for another wearer: what goes through both ends. Of one that goes round
+/// one limb: a sock, a mitten, a hat. A narrow piece beside the middle of the body that goes round
+/// nothing is for the arm or leg of that side, as its label says, else for the nearer one; one
+/// above the neck is for the head. Labels of edges come before.
+std::vector<Opening> garment_openings(const garment::Garment& garment,
+                                      const pattern::Pattern& pattern, const body::PosedBody& body);
+
+/// Whether a piece of cloth is closed below its openings where the pattern places the feet, as a
+/// sock is: it goes between the soles and the floor.
+bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern);
+
+/// The connected piece of cloth to which each vertex belongs, by one of its vertices.
+std::vector<int> pieces_of_cloth(const garment::Garment& garment);
 
 /// Chest girth of a wearer [m]: as measured, else by its usual share of the stature.
 double chest_girth(const body::Body& body, const RestLevels& levels);
 
 /// Of the chest's girth, tubes that were not made for the chest.
 inline constexpr double kForTheWaist = 0.9;
-
-/// garment_openings with tell_tubes of this wearer, whose levels these are.
-std::vector<Opening> garment_openings(const garment::Garment& garment,
-                                      const pattern::Pattern& pattern, const body::Body& body,
-                                      const RestLevels& levels);
 
 /// Vertices where the pattern places the pieces, seams at the mean of their sides [m]. Empty when
 /// the pattern lacks a piece.

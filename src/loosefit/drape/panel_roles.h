@@ -7,7 +7,12 @@
 namespace loosefit::drape {
 
 /// What part of a person a panel goes round.
-enum class PanelRole { trunk, left_arm, right_arm };
+enum class PanelRole {
+  trunk,
+  left_arm,
+  right_arm,
+  limb  ///< none of the others: its piece of cloth is worn on one limb by itself (limb_pieces.h)
+};
 
 /// Role of every panel of the garment. Labels ("arm") come first, then what the seams say: a panel
 /// that reaches an arm's opening and no other one belongs to that arm, and so does what is sewn to

@@ -106,7 +106,7 @@ void renew_field(ClothState& state) {
   state.outgrown.push_back(state.body);
   state.body = with_field(state.body->body, bounds(state.x), state.body->field->spacing(),
                           state.tuning.carry, state.arms_go_up);
-  state.model->set_field(state.body->field);
+  state.model->set_body(*state.body);
 }
 
 }  // namespace

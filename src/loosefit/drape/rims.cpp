@@ -142,7 +142,7 @@ double Rim::length(const std::vector<Vec3>& x) const {
 
 std::vector<Rim> garment_rims(const garment::Garment& garment, const pattern::Pattern& pattern,
                               const body::PosedBody& body) {
-  const std::vector<Opening> openings = garment_openings(garment, pattern, body, RestLevels(body));
+  const std::vector<Opening> openings = garment_openings(garment, pattern, body);
   const RimFinder finder(garment);
   std::vector<Rim> rims;
   for (const Opening& opening : openings) rims.push_back(finder.rim(opening, openings));

@@ -10,6 +10,9 @@ namespace loosefit::drape {
 namespace {
 
 constexpr double kSeamSlit = 0.15;  ///< that its edges stay apart, half [rad]
+constexpr double kNextToSkin = 0.006;  ///< at least [m]
+constexpr double kStep = 0.01;         ///< by which it is made wider [m]
+constexpr int kSteps = 30, kWidths = 5;
 constexpr double kLeastRadius = 0.04, kLeastWidth = 0.05;  ///< [m]
 
 }  // namespace
@@ -58,6 +61,18 @@ void RolledPanel::place(const Polyline& limb, double offset, double wider,
     const Polyline::Place at = limb.at(offset + point.s);
     const Vec3 round = radius * (std::cos(angle) * normal_ + std::sin(angle) * across_);
     x[point.vertex] = at.point + geometry::rotation_between(axis_, at.tangent) * round;
+  }
+}
+
+void RolledPanel::place_clear(const Polyline& limb, double offset, double farther,
+                              const body::PosedBody& body, std::vector<Vec3>& x) const {
+  for (int step = 0; step < kSteps; ++step) {
+    place(limb, offset + farther * (step / kWidths), kStep * (farther > 0 ? step % kWidths : step),
+          x);
+    const bool clear = std::ranges::all_of(points_, [&](const Point& point) {
+      return body.tree().signed_distance(x[point.vertex], nullptr, 1.0) > kNextToSkin;
+    });
+    if (clear) return;
   }
 }
 

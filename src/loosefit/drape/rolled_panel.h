@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "loosefit/body/posed_body.h"
 #include "loosefit/drape/polyline.h"
 #include "loosefit/garment/open_seams.h"
 
@@ -21,6 +22,10 @@ class RolledPanel {
   /// Writes its vertices to x: `offset` is where its end lies along the limb, `wider` what is added
   /// to the radius [m].
   void place(const Polyline& limb, double offset, double wider, std::vector<Vec3>& x) const;
+  /// The same, wider in steps of 1 cm until it is clear of the body; after every five steps
+  /// `farther` along the limb and as wide as it is cut again, if that is more than 0 [m].
+  void place_clear(const Polyline& limb, double offset, double farther,
+                   const body::PosedBody& body, std::vector<Vec3>& x) const;
 
  private:
   /// Where it is sewn to itself: at s along its axis, from `low` to `high` across it [m].

@@ -63,7 +63,7 @@ void take_up(ClothState& state, std::shared_ptr<const WornCloth> worn) {
   state.x = level.x;
   state.make_model();
   state.model->recall(level.memory);
-  state.model->set_field(state.body->field);  // the level may remember an older one
+  state.model->set_body(*state.body);  // the level may remember an older one
 }
 
 /// Whether the cloth is caught between folds of skin, which do not let go of it: no use in trying

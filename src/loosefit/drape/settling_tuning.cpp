@@ -172,6 +172,11 @@ Fields certify_fields(CertifyTuning& t) {
       .length("restart_perturbation", t.restart_perturbation);
 }
 
+Fields stall_fields(StallTuning& t) {
+  return Fields("stall").count("iterations", t.iterations, 1).share("progress", t.progress).length(
+      "slides", t.slides);
+}
+
 Fields fall_fields(FreeFallTuning& t) {
   return Fields("free_fall")
       .number("together", t.together, 0, kMostLength)
@@ -192,7 +197,7 @@ std::vector<TuningField> tuning_fields(SettlingTuning& t) {
        {cloth_fields(t.cloth), carry_fields(t.carry), contract_fields(t.contract),
         disturb_fields(t.disturb), follow_fields(t.follow), wear_in_fields(t.wear_in),
         level_fields(t.levels), penetration_fields(t.penetrations), certify_fields(t.certify),
-        fall_fields(t.free_fall), integrator_fields(t.integrators)})
+        stall_fields(t.stall), fall_fields(t.free_fall), integrator_fields(t.integrators)})
     all.insert(all.end(), group.fields.begin(), group.fields.end());
   return all;
 }

@@ -250,6 +250,18 @@ struct CertifyTuning {
   double worth_keeping = 0.7;
 };
 
+/// A drape that gets no nearer to rest is given up, and may start once more (recoveries.h).
+struct StallTuning {
+  /// So many iterations on the finest level in which the lowest residual has not fallen to this
+  /// share of what it was [–]. A tube that snaps to and fro between two shapes went on for 5 000;
+  /// drapes that came to rest had no pause half as long.
+  int iterations = 800;
+  double progress = 0.7;
+  /// Cloth whose middle has sunk by so much meanwhile slides down the body, and does not start once
+  /// more [m]: what only folds sinks by millimetres.
+  double slides = 0.02;
+};
+
 /// Cloth that nothing holds is recognised (FreeFall).
 struct FreeFallTuning {
   /// Pieces whose boxes come so near may hang on each other [m].
@@ -276,6 +288,7 @@ struct SettlingTuning {
   LevelTuning levels;
   PenetrationTuning penetrations;
   CertifyTuning certify;
+  StallTuning stall;
   FreeFallTuning free_fall;
   IntegratorTuning integrators;
 

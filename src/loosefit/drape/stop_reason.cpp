@@ -62,6 +62,16 @@ std::string Stop::text() const {
                          1e3 * depth);
     case StopReason::posture_too_long:
       return fmt::format("given up after {} iterations on the finest level", iterations);
+    case StopReason::no_progress:
+      return fmt::format(
+          "given up: the net force has made no progress in {} iterations; at its lowest it was "
+          "{:.2g} times the weight",
+          iterations, residual);
+    case StopReason::slides_down:
+      return fmt::format(
+          "the cloth slides down and nothing holds it: its middle has sunk by {:.2f} m in {} "
+          "iterations that brought it no nearer to rest",
+          sunk, iterations);
   }
   return {};
 }

@@ -17,14 +17,20 @@ enum class StopReason {
   cloth_falls,      ///< the cloth has left the body
   pieces_fall,      ///< pieces that are sewn to nothing else have left it
   caught_in_skin,   ///< cloth lies between folds of skin, a posture was given up
-  posture_too_long  ///< a posture took too many iterations and was given up
+  posture_too_long,  ///< a posture took too many iterations and was given up
+  no_progress,       ///< the net force goes up and down and falls no further (StallTuning)
+  slides_down        ///< the same, and the cloth sinks meanwhile
 };
 
 /// The reason with what its sentence needs. The sentence is what certificates show.
 struct Stop {
   StopReason reason = StopReason::unknown;
   double depth = 0;                      ///< caught_in_skin: how deep [m]
-  int iterations = 0;                    ///< posture_too_long: allowed on the finest level
+  /// posture_too_long: allowed on the finest level; no_progress, slides_down: in which there was
+  /// none.
+  int iterations = 0;
+  double residual = 0;                   ///< no_progress: the lowest [–]
+  double sunk = 0;                       ///< slides_down: the middle of the cloth [m]
   int pieces = 0;                        ///< pieces_fall: how many
   std::vector<std::string> panels = {};  ///< pieces_fall: their panels, fit for printing
 
@@ -34,9 +40,10 @@ struct Stop {
 /// As the integrators say it.
 StopReason stop_reason(solver::SettleOutcome::Reason reason);
 
-/// Whether cloth falls, all of it or pieces.
+/// Whether nothing holds the cloth, all of it or pieces.
 inline bool falls(StopReason reason) {
-  return reason == StopReason::cloth_falls || reason == StopReason::pieces_fall;
+  return reason == StopReason::cloth_falls || reason == StopReason::pieces_fall ||
+         reason == StopReason::slides_down;
 }
 
 }  // namespace loosefit::drape

@@ -49,7 +49,7 @@ class Verdict {
     if (!over_others && !touches()) say("the garment touches the body nowhere");
     if (lines_[kHead].empty()) return reasons_;
     placed_ = placed_by_pattern(garment_, pattern_);
-    openings_ = garment_openings(garment_, pattern_, body_, levels_);
+    openings_ = garment_openings(garment_, pattern_, body_);
     const std::vector<Opening>& openings = openings_;
     at_rest_ = limb_lines(levels_.joints());
     std::map<int, std::vector<const Opening*>> of_piece;

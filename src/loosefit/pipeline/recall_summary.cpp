@@ -187,6 +187,7 @@ drape::SettleReport report_in(const Json& summary) {
   report.held_off_triangles = at<int>(summary, "/settle/held_off_triangles");
   report.largest_contact_offset = 1e-3 * at<double>(summary, "/settle/largest_contact_offset_mm");
   report.coarsened_field = 1e-3 * at<double>(summary, "/settle/coarsened_field_mm");
+  report.floor_force = at<double>(summary, "/settle/floor_force_N");
   report.bearing_area = at<double>(summary, "/settle/bearing_area_m2");
   if (report.bearing_area > 0)
     report.bearing_distance = 1e-3 * at<double>(summary, "/settle/bearing_distance_mm");

@@ -6,6 +6,7 @@
 #include "loosefit/base/control_characters.h"
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/version.h"
+#include "loosefit/body/floor_under.h"
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
@@ -112,6 +113,8 @@ Json body_json(const CaseBody& body) {
   Json json = {{"measured", Json::object()}, {"asked", Json::object()}};
   for (const auto& [key, value] : body.body->measured) json["measured"][key] = value;
   for (const body::MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
+  const std::optional<double> floor = body::floor_under(body.body.body());
+  json["floor_m"] = floor ? Json(*floor) : Json(nullptr);
   return json;
 }
 
@@ -256,6 +259,7 @@ Json settle_json(const drape::SettleReport& report) {
           {"held_off_triangles", report.held_off_triangles},
           {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset},
           {"coarsened_field_mm", 1e3 * report.coarsened_field},
+          {"floor_force_N", report.floor_force},
           {"bearing_area_m2", report.bearing_area},
           {"bearing_distance_mm",
            report.bearing_distance ? Json(1e3 * *report.bearing_distance) : Json(nullptr)}};

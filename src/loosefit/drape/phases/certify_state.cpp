@@ -124,6 +124,7 @@ Drape make_drape(ClothState& state) {
   std::vector<AreaAt> bearing;
   SettleReport& report = state.report;
   report.contacts_self = state.model->self().active(state.x);
+  report.floor_force = state.model->floor_force(state.x);
   report.contacts_body = 0;
   const contact::DistanceField& field = *state.body->field;
   // A field that was to resolve folds may be coarser than that, and as fine as usual.

@@ -26,6 +26,8 @@ constexpr double kReach = 0.005;     ///< gap from which they pull with all thei
 constexpr double kLift = 0.6;        ///< that holds shoulders up, per length of seam [N/m]
 constexpr double kPad = 0.008;       ///< distance at which the skin begins to press [m]
 constexpr double kSkin = 5e5;        ///< how hard [Pa/m]
+constexpr double kGrip = 0.6;        ///< friction that keeps what is sewn round a limb there [–]
+constexpr double kStick = 1e-4;      ///< that it gives before it slips [m]
 constexpr double kField = 0.010;     ///< spacing of the field of distances [m]
 constexpr double kStretched = 1.02;  ///< area over that as cut, from which a triangle is stretched
 constexpr double kInLimb = 0.006;    ///< depth at which a closed seam goes through a limb [m]
@@ -109,7 +111,7 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   particles::DeadLoad outwards;
   outwards.set_forces(forces);
   contact::BodyContact contact(contact::contact_points(g.triangles, area, g.vertex_count, kPad),
-                               kSkin, 0, 1e-4);
+                               kSkin, panels.on_limbs ? kGrip : 0, kStick);
   const auto around = with_field(body, bounds(x), kField);
   contact.set_field(around->field);
   const double thread = kThread * mean_edge(g);

@@ -98,7 +98,7 @@ void make_move(ClothState& state, Move move, const PathEnd* end) {
     state.body = with_field(move.body, bounds(state.x),
                             rough ? state.tuning.carry.rough_field_spacing : contact::kFieldSpacing,
                             state.tuning.carry, state.arms_go_up);
-  state.model->set_field(state.body->field);
+  state.model->set_body(*state.body);
 }
 
 /// A body without maps does not turn, and may move all the same.

@@ -50,7 +50,7 @@ void refine_as_worn(ClothState& state) {
       turned_detail(state.triangles(), before, worn.x, state.x), state.tuning.carry.impact_rounds));
   // So does friction, carried by the whole motion of the skin since then.
   state.model->recall(worn.memory);
-  state.model->set_field(state.body->field);
+  state.model->set_body(*state.body);
   state.carry_anchors(
       displacements(skin_motion(state.worn->body->body, state.body->body, worn.x), worn.x));
 }

@@ -16,8 +16,9 @@ Vec3 up_the_trunk(const body::Body& body) {
 }
 
 /// The hems of what hangs on the shoulders.
-std::vector<int> hem_vertices(const garment::Garment& garment, const pattern::Pattern& pattern) {
-  const std::vector<Opening> openings = garment_openings(garment, pattern);
+std::vector<int> hem_vertices(const garment::Garment& garment, const pattern::Pattern& pattern,
+                              const body::PosedBody& body) {
+  const std::vector<Opening> openings = garment_openings(garment, pattern, body);
   std::vector<int> vertices;
   for (const Opening& hem : openings) {
     if (hem.use != kinds::OpeningUse::hem && hem.use != kinds::OpeningUse::cape_hem) continue;
@@ -65,7 +66,8 @@ particles::VectorField hem_pull(const ClothState& state, double weights) {
   particles::VectorField force(state.x.size(), Vec3::Zero());
   for (int l = 0; l < state.layer_count(); ++l) {
     const garment::Garment& garment = state.garment(l);
-    const std::vector<int> hem = hem_vertices(garment, state.layers[l].garment->pattern);
+    const std::vector<int> hem =
+        hem_vertices(garment, state.layers[l].garment->pattern, state.body->body);
     const double weight = garment.mass * state.options.gravity;
     for (const int v : hem)
       force[state.model->mesh().first_vertex[l] + v] +=

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "loosefit/drape/drape_session.h"
+#include "loosefit/garment/hierarchy.h"
+#include "support/sewn_garments.h"
+#include "support/shirt_on_body.h"
+
+namespace loosefit::drape {
+namespace {
+
+const body::Body& woman() {
+  static const body::Body body = support::standing(support::adult_parameters(), 40);
+  return body;
+}
+
+/// The same skin, but nobody knows that the feet are feet: there is no floor.
+body::Body without_floor() {
+  body::Body body = woman();
+  for (body::Segment& segment : body.segment)
+    if (segment == body::Segment::foot) segment = body::Segment::shank;
+  return body;
+}
+
+Drape draped(const pattern::Pattern& pattern, const body::Body& body,
+             fabric::Material material = {}) {
+  material.bending_warp = material.bending_weft = 5e-6;
+  const garment::GarmentHierarchy garment = garment::build_hierarchy(pattern, 0.04, material);
+  Progress silent;
+  DrapeOptions options;
+  options.time_budget = 200;
+  return drape_garment(
+      garment, material, [&](double) { return body; }, options, silent);
+}
+
+double lowest(const Drape& drape) {
+  double low = 10;
+  for (const Vec3& p : drape.positions) low = std::min(low, p.z());
+  return low;
+}
+
+TEST(FloorUnderCloth, ASkirtThatIsTooLongLiesOnIt) {
+  const testing_support::Levels levels = testing_support::levels_of(woman());
+  const double length = levels.waist_height + 0.06;
+  const pattern::Pattern pattern = testing_support::skirt(levels, 0.98, 1.6, length, 2);
+  const Drape on_floor = draped(pattern, woman());
+  EXPECT_TRUE(on_floor.certificate.settled()) << on_floor.certificate.stop_reason;
+  EXPECT_GE(lowest(on_floor), 0);
+  EXPECT_GT(on_floor.report.floor_force, 1e-3);
+  // What the floor bears counts for no part of the skin.
+  for (std::size_t i = 0; i < on_floor.positions.size(); ++i)
+    if (const Vec3& p = on_floor.positions[i]; std::hypot(p.x(), p.y()) > 0.35)
+      EXPECT_EQ(on_floor.body_normal_force[i], 0);
+  const Drape hangs = draped(pattern, without_floor());
+  EXPECT_LT(lowest(hangs), -0.02);
+  EXPECT_EQ(hangs.report.floor_force, 0);
+}
+
+TEST(FloorUnderCloth, WhatNeverReachesItHasTheSameBitsAsWithoutIt) {
+  const testing_support::Levels levels = testing_support::levels_of(woman());
+  const pattern::Pattern pattern = testing_support::skirt(levels, 0.98, 1.3, 0.5, 2);
+  const Drape with = draped(pattern, woman()), without = draped(pattern, without_floor());
+  ASSERT_EQ(with.positions.size(), without.positions.size());
+  for (std::size_t i = 0; i < with.positions.size(); ++i)
+    ASSERT_EQ(with.positions[i], without.positions[i]) << i;
+  EXPECT_EQ(with.certificate.residual, without.certificate.residual);
+}
+
+}  // namespace
+}  // namespace loosefit::drape

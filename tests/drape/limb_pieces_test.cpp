@@ -1,0 +1,124 @@
+#include "loosefit/drape/limb_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "loosefit/drape/arrange_panels.h"
+#include "loosefit/garment/assemble.h"
+#include "support/shirt_on_body.h"
+#include "support/simple_patterns.h"
+#include "support/worn_and_settled.h"
+
+namespace loosefit::drape {
+namespace {
+
+using testing_support::polygon_panel;
+using testing_support::stitch;
+
+const body::PosedBody& woman() {
+  static const body::PosedBody body = support::standing(support::adult_parameters(), 40);
+  return body;
+}
+
+/// Stands beside the middle plane; `outwards`: the sign of x of its outside.
+void stand_beside(pattern::Panel& panel, double outwards, const Vec3& at) {
+  panel.rotation.col(2) = outwards * Vec3::UnitX();
+  panel.rotation.col(1) = Vec3::UnitZ();
+  panel.rotation.col(0) = panel.rotation.col(1).cross(panel.rotation.col(2));
+  panel.translation = at;
+}
+
+/// Two sides of a foot, sewn all round but for the top, on the left (1) or right (−1) of the
+/// wearer, `apart` from the middle of the foot at x = side · `beside`.
+pattern::Pattern sock(int side, double beside, double apart, double height, double length) {
+  const double back = 0.065, front = length - back, wide = 0.15, toe = 0.06, instep = 0.12;
+  std::vector<Vec2> outer = {{-front, 0},           {back, 0},       {back, height},
+                             {back - wide, height}, {back - wide, instep}, {-front, toe}};
+  std::vector<Vec2> inner;
+  for (int i : {1, 0, 5, 4, 3, 2}) inner.emplace_back(-outer[i].x(), outer[i].y());
+  pattern::Pattern pattern;
+  pattern.name = "sock";
+  pattern.panels = {polygon_panel("plus", outer), polygon_panel("minus", inner)};
+  stand_beside(pattern.panels[0], 1, Vec3(side * beside + apart, 0, 0));
+  stand_beside(pattern.panels[1], -1, Vec3(side * beside - apart, 0, 0));
+  pattern.stitches = {stitch(0, 0, 1, 0), stitch(0, 1, 1, 5), stitch(0, 3, 1, 3),
+                      stitch(0, 4, 1, 2), stitch(0, 5, 1, 1)};
+  return pattern;
+}
+
+/// A strip round the limb at `middle`, in one piece, upright before it.
+pattern::Pattern ring(const Vec3& middle, double girth, double height) {
+  pattern::Pattern pattern;
+  pattern.name = "ring";
+  pattern.panels = {polygon_panel("strip", {{-girth / 2, -height / 2},
+                                            {girth / 2, -height / 2},
+                                            {girth / 2, height / 2},
+                                            {-girth / 2, height / 2}})};
+  pattern.panels[0].rotation.col(0) = Vec3::UnitX();
+  pattern.panels[0].rotation.col(1) = Vec3::UnitZ();
+  pattern.panels[0].rotation.col(2) = -Vec3::UnitY();
+  pattern.panels[0].translation = middle - 0.1 * Vec3::UnitY();
+  pattern.stitches = {stitch(0, 1, 0, 3)};
+  return pattern;
+}
+
+std::vector<Opening> openings_of(const pattern::Pattern& pattern) {
+  return garment_openings(garment::assemble(pattern, 0.03, fabric::Material{}), pattern, woman());
+}
+
+TEST(LimbPieces, APieceWithOneOpeningIsForTheLimbThatItGoesRound) {
+  for (const int side : {1, -1})
+    for (const double beside : {0.10, 0.15}) {
+      const auto openings = openings_of(sock(side, beside, 0.1, 0.3, 0.25));
+      ASSERT_EQ(openings.size(), 1u);
+      EXPECT_EQ(openings[0].use, kinds::OpeningUse::limb);
+      EXPECT_EQ(openings[0].round, round_limb(side > 0 ? kLeftLeg : kRightLeg));
+    }
+}
+
+TEST(LimbPieces, OneThatLiesBesideTheLimbIsForTheNearerOneOfThatSide) {
+  const auto openings = openings_of(sock(-1, 0.4, 0.05, 0.3, 0.25));
+  ASSERT_EQ(openings.size(), 1u);
+  EXPECT_EQ(openings[0].round, round_limb(kRightLeg));
+  EXPECT_FALSE(openings[0].placed_round);
+  // A skirt whose file begins at x = 0 is none, however far it lies aside.
+  const auto wide = openings_of(ring({0.8, 0, 1.0}, 1.2, 0.4));
+  for (const Opening& o : wide) EXPECT_NE(o.use, kinds::OpeningUse::limb);
+}
+
+TEST(LimbPieces, ASockIsArrangedBesideItsFootWhereverTheFileHasIt) {
+  for (const auto& [beside, y] : {std::pair(0.10, 0.0), {0.15, 0.05}, {0.35, -0.2}}) {
+    pattern::Pattern pattern = sock(1, beside, 0.1, 0.3, 0.27);
+    for (pattern::Panel& panel : pattern.panels) panel.translation.y() += y;
+    const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+    const garment::OpenSeams open = garment::open_seams(sewn);
+    const ArrangedPanels panels = arrange_panels(sewn, open, pattern, woman());
+    geometry::Box3 cloth, foot;
+    for (const Vec3& p : panels.x) cloth.extend(p);
+    for (std::size_t i = 0; i < woman()->surface.vertices.size(); ++i)
+      if (woman()->segment[i] == body::Segment::foot && woman()->side[i] > 0)
+        foot.extend(woman()->surface.vertices[i]);
+    EXPECT_LT(cloth.min().x(), foot.min().x()) << beside;
+    EXPECT_GT(cloth.max().x(), foot.max().x()) << beside;
+    EXPECT_NEAR(cloth.min().y(), foot.min().y(), 0.04) << beside;
+    EXPECT_LT(std::abs(cloth.min().z()), 0.031);
+  }
+}
+
+TEST(LimbPieces, ASockOfAKnitIsWornOnItsFoot) {
+  testing_support::expect_worn_and_settled(sock(-1, 0.14, 0.1, 0.28, 0.26), 0.03, woman());
+}
+
+TEST(LimbPieces, AStripInOnePieceIsWornRoundACalfAWristOrTheHead) {
+  const auto& joints = woman()->joints;
+  const Vec3 calf = 0.6 * joints.at("knee_L") + 0.4 * joints.at("ankle_L");
+  testing_support::expect_worn_and_settled(
+      ring(calf, 0.9 * woman()->measured.at("calf"), 0.10), 0.03, woman());
+  const Vec3 head = joints.at("neck") + Vec3(0, 0, 0.16);
+  const auto openings = openings_of(ring(head, 0.52, 0.06));
+  ASSERT_EQ(openings.size(), 2u);
+  EXPECT_EQ(openings[0].use, kinds::OpeningUse::limb);
+  EXPECT_EQ(openings[0].round, round_limb(kHead));
+}
+
+}  // namespace
+}  // namespace loosefit::drape
