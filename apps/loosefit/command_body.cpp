@@ -18,6 +18,7 @@
 #include "loosefit/report/write_body.h"
 #include "print_document.h"
 #include "standard_error.h"
+#include "terminal_progress.h"
 
 namespace loosefit {
 namespace {
@@ -88,6 +89,8 @@ void print_table(const std::vector<body::MeasureRow>& table) {
 void run(Wish wish) {
   body::Body body;
   body::BodyFit fit;
+  TerminalProgress shown(false, "body");
+  const InterruptGuard guard(shown);
   if (!wish.file.empty()) {
     for (const auto& [name, asked] : wish.measures) {
       if (asked) throw InvalidInput({"", 0, "--" + name}, "a wish beside --file", "one of the two");
@@ -97,7 +100,7 @@ void run(Wish wish) {
     wished.as_scanned = !asks_for_a_posture(wish);
     wished.posture = posture_of(wish);
     wished.dress_posture = body::default_dress_posture(wished.posture);
-    const pipeline::CaseBody made = pipeline::make_body(wished);
+    const pipeline::CaseBody made = pipeline::make_body(wished, &shown);
     body = made.body.body();
     fit.warnings = made.warnings;
     fit.parameters = made.parameters;
@@ -115,9 +118,10 @@ void run(Wish wish) {
       }
     }
     const body::BodyModel model = body::BodyModel::load();
-    fit = body::fit_body(model, wish.spec);
-    body = flesh::SoftBody(model, fit.parameters).in(posture_of(wish));
+    fit = body::fit_body(model, wish.spec, body::BodyDetail::subdivided, &shown);
+    body = flesh::SoftBody(model, fit.parameters).in(posture_of(wish), &shown);
   }
+  shown.clear();
   for (const auto& warning : fit.warnings)
     to_standard_error(fmt::format("warning: {}\n", terminal_line(warning)));
   if (!wish.json) print_words(body, fit);
