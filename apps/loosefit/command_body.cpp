@@ -21,6 +21,7 @@
 #include "loosefit/report/write_body.h"
 #include "print_document.h"
 #include "standard_error.h"
+#include "terminal_progress.h"
 
 namespace loosefit {
 namespace {
@@ -146,13 +147,15 @@ void print_table(const std::vector<body::MeasureRow>& table) {
 void run(Wish wish) {
   body::Body body;
   body::BodyFit fit;
+  TerminalProgress shown(false, "body");
+  const InterruptGuard guard(shown);
   if (!wish.file.empty()) {
     refuse_beside_file(wish);
     scenario::ScenarioBody wished = read(wish);
     wished.file = wish.file, wished.units = wish.units, wished.up = wish.up;
     wished.as_scanned = !wish.posture && !any_of(wish.angles);
     wished.dress_posture = body::default_dress_posture(wished.posture);
-    const pipeline::CaseBody made = pipeline::make_body(wished);
+    const pipeline::CaseBody made = pipeline::make_body(wished, &shown);
     body = made.body.body();
     fit.warnings = made.warnings;
     fit.parameters = made.parameters;
@@ -162,9 +165,10 @@ void run(Wish wish) {
                          "it only beside --file");
     const scenario::ScenarioBody wished = read(wish);
     const body::BodyModel model = body::BodyModel::load();
-    fit = body::fit_body(model, spec_of(wish, wished));
-    body = flesh::SoftBody(model, fit.parameters).in(wished.posture);
+    fit = body::fit_body(model, spec_of(wish, wished), body::BodyDetail::subdivided, &shown);
+    body = flesh::SoftBody(model, fit.parameters).in(wished.posture, &shown);
   }
+  shown.clear();
   for (const auto& warning : fit.warnings)
     to_standard_error(fmt::format("warning: {}\n", terminal_line(warning)));
   if (!wish.json) print_words(body, fit);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <utility>
 
 #include "loosefit/base/text.h"
 #include "standard_error.h"
@@ -31,7 +32,8 @@ std::string bar(double fraction) {
 
 }  // namespace
 
-TerminalProgress::TerminalProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO)) {}
+TerminalProgress::TerminalProgress(bool quiet, std::string stage)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO)), stage_(std::move(stage)) {}
 
 TerminalProgress::~TerminalProgress() { clear(); }
 

@@ -12,7 +12,8 @@ namespace loosefit {
 /// and one every ten seconds) otherwise.
 class TerminalProgress : public Progress {
  public:
-  explicit TerminalProgress(bool quiet);
+  /// stage: of work that begins with no word of it, since it is mostly over at once
+  explicit TerminalProgress(bool quiet, std::string stage = "");
   ~TerminalProgress() override;
   void stage(const std::string& name) override;
   void update(double fraction, const std::string& note) override;

@@ -4,45 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_tape.h"
-#include "loosefit/body/bounded_least_squares.h"
+#include "loosefit/body/person_search.h"
 #include "loosefit/body/plausible_measures.h"
 
 namespace loosefit::body {
 namespace {
 
-constexpr double kHeightTolerance = 0.002;  // what counts as one unit of misfit [m]
-constexpr double kGirthTolerance = 0.003;
-constexpr double kResidualWarning = 0.005;
-constexpr double kImpossible = 0.1;  // share of a wish that the nearest body misses
 constexpr double kStrainedDetail = 0.6;
-constexpr double kHeaviest = 1.6;
-constexpr double kAtBound = 1 - 1e-6;
-constexpr double kGrownUp = 18;  // years
-
-struct Unknown {
-  std::string key;  ///< "height", "weight" or a detail
-  double start = 0, low = -1, high = 1, stiffness = 0.3;
-};
-
-// Local changes that a measure brings into the fit.
-const std::map<std::string, std::vector<std::string>> kDetailsOf = {
-    {"neck", {"neck"}},
-    {"mid_neck", {"neck"}},
-    {"upper_arm", {"upper_arm"}},
-    {"forearm", {"forearm"}},
-    {"wrist", {"wrist"}},
-    {"thigh", {"thigh"}},
-    {"knee", {"knee"}},
-    {"calf", {"calf"}},
-    {"ankle", {"ankle"}},
-    {"shoulder_breadth", {"shoulder"}},
-    {"arm_length", {"upper_arm_length", "forearm_length"}},
-    {"back_length", {"nape_to_waist"}},
-    {"crotch_height", {"thigh_length", "shank_length"}}};
+constexpr double kGrownUp = 18;    // years
+constexpr double kInch = 0.0254;   // [m]
+constexpr double kWholeInch = 0.02;  // how far from a whole number of inches is one [inches]
+constexpr double kNearInches = 0.1;  // share by which a measure in inches may be off what is usual
 
 void check_spec(const BodySpec& spec) {
   const auto check = [](const std::string& name, double value) {
@@ -62,144 +38,84 @@ void check_spec(const BodySpec& spec) {
   }
 }
 
-std::vector<Unknown> unknowns_of(const BodySpec& spec, double heaviest,
-                                 const std::set<std::string>& given_up) {
-  std::vector<Unknown> unknowns;
-  if (spec.height != 0) unknowns.push_back({"height", 0.5, 0, 1, 0.3});
-  const bool trunk =
-      std::any_of(spec.measurements.begin(), spec.measurements.end(), [](const auto& m) {
-        return m.first == "chest" || m.first == "underbust" || m.first == "waist" ||
-               m.first == "hip";
-      });
-  if (trunk) {
-    unknowns.push_back({"weight", 0.5, 0, heaviest, 0.5});
-    unknowns.push_back({"bust", 0, -1, 1, 0.5});
-    unknowns.push_back({"underbust", 0, -1, 1, 0.6});
-    unknowns.push_back({"waist", 0, -1, 1, 0.5});
-    unknowns.push_back({"hips", 0, -1, 1, 0.5});
-    unknowns.push_back({"belly", 0, -0.3, 0.5, 0.6});
-  }
-  for (const auto& [measure, details] : kDetailsOf) {
-    if (!spec.measurements.contains(measure) || given_up.contains(measure)) continue;
-    for (const auto& key : details) {
-      const bool known = std::any_of(unknowns.begin(), unknowns.end(),
-                                     [&](const Unknown& u) { return u.key == key; });
-      if (!known) unknowns.push_back({key, 0, -1, 1, 0.3});
-    }
-  }
-  return unknowns;
+std::string named(const MeasureRow& row) {
+  return fmt::format("{} {:.3f} m", row.name, row.measured);
 }
 
-// One bounded least-squares problem over the model's knobs.
-class Fitter {
- public:
-  Fitter(const BodyModel& model, BodyDetail detail, BodyParameters fixed,
-         std::vector<MeasureRow> asked)
-      : model_(model), detail_(detail), fixed_(std::move(fixed)), asked_(std::move(asked)) {}
+/// "; inches? 13 in are 0.330 m" where a number of inches fits the wish, or nothing: 0.23 m of a
+/// thigh that would usually be 23 in, or 0.33 m, which are 13 in.
+std::string perhaps_inches(double asked, double usual) {
+  const double digits = 100 * asked, same = asked / kInch;
+  const bool meant = std::abs(digits * kInch / usual - 1) < kNearInches;
+  if (!meant && std::abs(same - std::round(same)) > kWholeInch) return "";
+  const double inches = meant ? digits : std::round(same);
+  return fmt::format("; inches? {:.4g} in are {:.3f} m", inches, inches * kInch);
+}
 
-  void solve(const std::vector<Unknown>& unknowns) {
-    BoundedProblem problem;
-    const auto n = Eigen::Index(unknowns.size());
-    problem.start = problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Unknown& unknown = unknowns[std::size_t(i)];
-      problem.start[i] = unknown.start;
-      problem.lower[i] = unknown.low;
-      problem.upper[i] = unknown.high;
-    }
-    problem.residuals = [&](const Eigen::VectorXd& x) { return residuals(unknowns, x); };
-    const BoundedSolution found = bounded_gauss_newton(problem);
-    evaluations_ += found.evaluations;
-    parameters_ = parameters_at(unknowns, found.x);
-    const RestBody rest = model_.rest(parameters_, detail_);
-    const BodyTape tape(model_.data(), rest);
-    for (auto& row : asked_) row.measured = tape.measure(row.name);
-  }
+/// The rows but one.
+std::vector<MeasureRow> without(std::vector<MeasureRow> rows, const std::string& name) {
+  std::erase_if(rows, [&](const MeasureRow& row) { return row.name == name; });
+  return rows;
+}
 
-  /// Measures that their own local changes cannot reach: these stay at their bounds and the measure
-  /// no longer pulls at the rest of the body. True when one was found.
-  bool give_up_unreachable() {
-    bool any = false;
-    for (const auto& row : asked_) {
-      const auto details = kDetailsOf.find(row.name);
-      if (details == kDetailsOf.end() || off(row) <= kResidualWarning ||
-          given_up_.contains(row.name)) {
-        continue;
-      }
-      const auto at_bound = [&](const std::string& key) {
-        return std::abs(parameters_.details.at(key)) >= kAtBound;
-      };
-      if (!std::all_of(details->second.begin(), details->second.end(), at_bound)) continue;
-      given_up_.insert(row.name);
-      for (const auto& key : details->second) fixed_.details[key] = parameters_.details.at(key);
-      any = true;
-    }
-    return any;
-  }
-
-  static double off(const MeasureRow& row) { return std::abs(row.measured - row.asked); }
-  bool misses() const {
-    return std::any_of(asked_.begin(), asked_.end(),
-                       [](const MeasureRow& row) { return off(row) > kResidualWarning; });
-  }
-  const BodyParameters& parameters() const { return parameters_; }
-  const std::vector<MeasureRow>& table() const { return asked_; }
-  const std::set<std::string>& given_up() const { return given_up_; }
-  int evaluations() const { return evaluations_; }
-
- private:
-  BodyParameters parameters_at(const std::vector<Unknown>& unknowns,
-                               const Eigen::VectorXd& x) const {
-    BodyParameters p = fixed_;
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const double value = x[Eigen::Index(i)];
-      if (unknowns[i].key == "height") {
-        p.height = value;
-      } else if (unknowns[i].key == "weight") {
-        p.weight = value;
-      } else {
-        p.details[unknowns[i].key] = value;
-      }
-    }
-    return p;
-  }
-
-  Eigen::VectorXd residuals(const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x) const {
-    const RestBody rest = model_.rest(parameters_at(unknowns, x), detail_);
-    const BodyTape tape(model_.data(), rest);
-    std::vector<double> values;
-    for (const auto& row : asked_) {
-      if (given_up_.contains(row.name)) continue;
-      values.push_back((tape.measure(row.name) - row.asked) /
-                       (row.name == "height" ? kHeightTolerance : kGirthTolerance));
-    }
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      values.push_back(unknowns[i].stiffness * (x[Eigen::Index(i)] - unknowns[i].start));
-    }
-    return Eigen::Map<const Eigen::VectorXd>(values.data(), Eigen::Index(values.size()));
-  }
-
-  const BodyModel& model_;
-  BodyDetail detail_;
-  BodyParameters fixed_, parameters_;
-  std::vector<MeasureRow> asked_;
-  std::set<std::string> given_up_;
-  int evaluations_ = 0;
+/// A wish that is missed, and what the body has there that the other wishes make.
+struct OddWish {
+  MeasureRow row;
+  double usual = 0;  ///< [m]
+  bool others_are_met = false;
 };
 
-// A body whose stature or trunk is this far from what was asked for is somebody else. A limb or
-// neck out of reach is only reported: it spoils nothing else.
-void refuse_impossible(const std::vector<MeasureRow>& table) {
-  std::string nearest;
-  for (const auto& row : table)
-    nearest += fmt::format("{}{} {:.3f} m", nearest.empty() ? "" : ", ", row.name, row.measured);
-  for (const auto& row : table) {
-    if (kDetailsOf.contains(row.name) || Fitter::off(row) <= kImpossible * row.asked) continue;
-    throw InvalidInput({"", 0, row.name}, fmt::format("{:g} m", row.asked),
-                       fmt::format("at {} about {:.3f} m beside the other wishes",
-                                   row.measured < row.asked ? "most" : "least", row.measured),
-                       "the nearest body has " + nearest);
+/// The wish that is most at odds with the others: left out, they are met, by a body that is
+/// farthest from it. Where leaving out one is not enough, the one missed most.
+OddWish odd_one_out(PersonSearch& search, const std::vector<MeasureRow>& table) {
+  const auto worst = std::ranges::max_element(table, {}, miss);
+  OddWish odd{*worst, worst->measured};
+  double farthest = 0;
+  for (const MeasureRow& row : table) {
+    if (off(row) <= kResidual) continue;
+    const FoundPerson others = search.nearest(without(table, row.name));
+    const double usual = search.measure(others.parameters, row.name);
+    if (misses(others) || std::abs(usual / row.asked - 1) <= farthest) continue;
+    farthest = std::abs(usual / row.asked - 1);
+    odd = {row, usual, true};
   }
+  return odd;
+}
+
+std::string at_most_or_least(const MeasureRow& row) {
+  return fmt::format("at {} about {:.3f} m", row.measured < row.asked ? "most" : "least",
+                     row.measured);
+}
+
+/// A body that misses a wish by more than kMostMiss is somebody else. Told is which wish, how far a
+/// body goes towards it, whether the model ends there, and who is nearest.
+void refuse_misses(PersonSearch& search, const FoundPerson& found) {
+  if (std::ranges::all_of(found.table, [](const MeasureRow& row) { return miss(row) <= kMostMiss; }))
+    return;
+  const OddWish odd = odd_one_out(search, found.table);
+  const std::string& name = odd.row.name;
+  const auto row_of = [&](const std::vector<MeasureRow>& rows) {
+    return *std::ranges::find(rows, name, &MeasureRow::name);
+  };
+  // By itself at this stature the wish shows whether the model ends before it.
+  std::vector<MeasureRow> alone = found.table;
+  std::erase_if(alone, [&](const MeasureRow& r) { return r.name != name && r.name != "height"; });
+  const MeasureRow end = row_of(search.farthest(alone, name).table);
+  const std::string model_ends =
+      off(end) <= kResidual ? ""
+                            : fmt::format("the body model ends at about {} for this {}", named(end),
+                                          alone.size() > 1 ? "stature, sex and age" : "sex and age");
+  std::string expected, hint = "the nearest body has ";
+  if (odd.others_are_met)
+    expected = at_most_or_least(row_of(search.farthest(found.table, name).table)) +
+               (found.table.size() > 1 ? " beside the other wishes" : "");
+  else
+    expected = model_ends.empty() ? "measures that one body has together" : at_most_or_least(end);
+  for (const MeasureRow& row : found.table)
+    hint += (&row == &found.table.front() ? "" : ", ") + named(row);
+  if (!model_ends.empty()) hint = model_ends + "; " + hint;
+  throw InvalidInput({"", 0, name}, fmt::format("{:g} m", odd.row.asked), expected,
+                     hint + perhaps_inches(odd.row.asked, odd.usual));
 }
 
 void add_warnings(const BodySpec& spec, BodyFit& fit) {
@@ -212,7 +128,7 @@ void add_warnings(const BodySpec& spec, BodyFit& fit) {
                     fit.parameters.weight));
   }
   for (const auto& row : fit.table) {
-    if (Fitter::off(row) > kResidualWarning) {
+    if (off(row) > kResidual) {
       fit.warnings.push_back(
           fmt::format("{}: asked {:.3f} m, got {:.3f} m", row.name, row.asked, row.measured));
     }
@@ -228,7 +144,8 @@ void add_warnings(const BodySpec& spec, BodyFit& fit) {
 
 }  // namespace
 
-BodyFit fit_body(const BodyModel& model, const BodySpec& spec, BodyDetail detail) {
+BodyFit fit_body(const BodyModel& model, const BodySpec& spec, BodyDetail detail,
+                 Progress* progress) {
   check_spec(spec);
   BodyParameters fixed;
   fixed.sex = spec.sex;
@@ -246,22 +163,13 @@ BodyFit fit_body(const BodyModel& model, const BodySpec& spec, BodyDetail detail
     if (found != spec.measurements.end()) asked.push_back({name, found->second, 0});
   }
 
-  Fitter fitter(model, detail, fixed, asked);
-  double heaviest = 1;
-  fitter.solve(unknowns_of(spec, heaviest, {}));
-  if (fitter.misses() && fitter.give_up_unreachable()) {
-    fitter.solve(unknowns_of(spec, heaviest, fitter.given_up()));
-  }
-  // Beyond weight 1 the model extrapolates; only bodies that need it go there.
-  if (fitter.misses() && fitter.parameters().weight >= kAtBound) {
-    heaviest = kHeaviest;
-    fitter.solve(unknowns_of(spec, heaviest, fitter.given_up()));
-  }
+  PersonSearch search(model, detail, fixed, progress);
+  FoundPerson found = search.nearest(asked);
+  refuse_misses(search, found);
   BodyFit fit;
-  fit.parameters = fitter.parameters();
-  fit.table = fitter.table();
-  fit.evaluations = fitter.evaluations();
-  refuse_impossible(fit.table);
+  fit.parameters = std::move(found.parameters);
+  fit.table = std::move(found.table);
+  fit.evaluations = search.evaluations();
   add_warnings(spec, fit);
   return fit;
 }

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "loosefit/base/progress.h"
 #include "loosefit/body/body_model.h"
+#include "loosefit/body/measure_fit.h"
 
 namespace loosefit::body {
 
@@ -19,13 +21,6 @@ struct BodySpec {
   double firmness = 0.5;
 };
 
-/// One line of asked against measured [m].
-struct MeasureRow {
-  std::string name;
-  double asked = 0;
-  double measured = 0;
-};
-
 /// What a fit found. A measure more than 5 mm off and a strained local change make a warning.
 struct BodyFit {
   BodyParameters parameters;
@@ -34,10 +29,16 @@ struct BodyFit {
   int evaluations = 0;
 };
 
-/// Parameters whose body has the asked measures, by bounded Gauss-Newton on the surface that
-/// BodyModel::build makes. \throws InvalidInput naming a measure that no person has, or a stature
-/// or trunk girth that the nearest body misses by more than a tenth.
+/// Parameters whose body has the asked measures, on the surface that BodyModel::build makes. A
+/// person near the average is looked for first; where that misses a wish, heavier people and more
+/// local changes are searched, from several starts (docs/theory/body_model.md 4). `progress` is
+/// asked whether to go on, and hears of the longer search.
+/// \throws InvalidInput naming a measure that no person has, or the measure that the nearest body
+/// misses most if that is by more than kMostMiss; Cancelled.
 BodyFit fit_body(const BodyModel& model, const BodySpec& spec,
-                 BodyDetail detail = BodyDetail::subdivided);
+                 BodyDetail detail = BodyDetail::subdivided, Progress* progress = nullptr);
+
+/// Share of a wish that a body may miss: of trunk, limbs and stature alike.
+inline constexpr double kMostMiss = 0.03;
 
 }  // namespace loosefit::body

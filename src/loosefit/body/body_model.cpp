@@ -150,8 +150,8 @@ BodyShape BodyModel::shape(const BodyParameters& parameters) const {
 }
 
 std::vector<Eigen::Affine3d> BodyModel::bones(const RestBody& rest, const Posture& posture) const {
-  const Posture clear = with_clear_arms(*data_, rest, {fine_skin_, segment_, side_}, posture);
-  return pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, clear));
+  const ArmsAside arms = clear_arms(*data_, rest, {fine_skin_, segment_, side_}, posture);
+  return pose_bones(*data_, rest.joints, posture_rotations(*data_, rest.joints, posture, arms));
 }
 
 Body BodyModel::build(const BodyParameters& parameters, const Posture& posture) const {

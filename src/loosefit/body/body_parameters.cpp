@@ -27,7 +27,7 @@ void add_age_factors(double years, std::map<std::string, double>& factor) {
   factor["baby"] = baby, factor["child"] = child, factor["young"] = young, factor["old"] = old;
 }
 
-// Not clamped at 1: weights up to 1.6 give convincing heavy bodies, and the three still sum to 1.
+// Not clamped at 1: weights up to kHeaviest give convincing heavy bodies, and the three still sum to 1.
 void add_level(double x, const char* low, const char* middle, const char* high,
                std::map<std::string, double>& factor) {
   const double most = std::max(0., 2 * x - 1), least = std::max(0., 1 - 2 * x);
@@ -96,6 +96,7 @@ const std::vector<DetailTarget>& detail_targets() {
       measure("waist", "waist"),
       measure("hips", "hips"),
       pair("belly", "stomach/stomach-tone"),
+      pair("round_belly", "stomach/stomach-pregnant"),
       measure("neck", "neckcirc"),
       measure("upper_arm", "upperarm"),
       measure("wrist", "wrist"),
@@ -135,7 +136,7 @@ void check_parameters(const BodyParameters& p) {
   check("sex", p.sex, 0, 1);
   check("age", p.age, 1, 90);
   check("muscle", p.muscle, 0, 1);
-  check("weight", p.weight, 0, 1.6);
+  check("weight", p.weight, 0, kHeaviest);
   check("height", p.height, 0, 1);
   check("proportions", p.proportions, 0, 1);
   check("cup", p.cup, 0, 1);

@@ -10,8 +10,11 @@
 
 namespace loosefit::body {
 
+/// Beyond 1 the model extrapolates; up to here bodies look like people.
+inline constexpr double kHeaviest = 2.0;
+
 /// The knobs of the parametric body. All but age lie in [0,1] with 0.5 as the average; `height` is
-/// a level, not metres: BodyModel::fit finds it for a stature. `weight` may go up to 1.6.
+/// a level, not metres: fit_body finds it for a stature. `weight` may go up to kHeaviest.
 struct BodyParameters {
   double sex = 0.5;  ///< 0 female … 1 male
   double age = 25;   ///< years, 1 … 90

@@ -1,5 +1,7 @@
 #include "loosefit/body/bounded_least_squares.h"
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "loosefit/geometry/least_squares.h"
@@ -13,47 +15,90 @@ using Eigen::VectorXd;
 constexpr int kMaxSteps = 40;
 constexpr int kMaxHalvings = 6;
 constexpr double kStopDecrease = 1e-4;
+constexpr double kStill = 1e-9;  ///< slope at a bound that counts as none, of the residuals' norm
 
-// Step of A·step ≈ -r with x + step inside the box: unknowns that want out are put on their bound
-// and the rest is solved again.
-VectorXd boxed_step(const MatrixXd& jacobian, const VectorXd& residual, const VectorXd& x,
-                    const BoundedProblem& problem) {
-  const auto n = x.size();
-  VectorXd step = VectorXd::Zero(n);
-  std::vector<char> fixed(std::size_t(n), 0);
-  for (Eigen::Index round = 0; round <= n; ++round) {
-    // What the unknowns on their bounds contribute goes to the right-hand side.
-    std::vector<Eigen::Index> free;
-    VectorXd right = -residual;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      if (fixed[std::size_t(i)]) {
-        right -= jacobian.col(i) * step[i];
-      } else {
-        free.push_back(i);
+/// Least |jacobian · step + residual|² over the box by an active set (Stark and Parker 1995):
+/// unknowns that want out stay on their bound, and are released when the others leave them room.
+class BoxedStep {
+ public:
+  BoxedStep(const MatrixXd& jacobian, const VectorXd& residual, VectorXd low, VectorXd high)
+      : jacobian_(jacobian),
+        residual_(residual),
+        low_(std::move(low)),
+        high_(std::move(high)),
+        step_(VectorXd::Zero(jacobian.cols())),
+        held_(std::size_t(jacobian.cols()), 0) {}
+
+  VectorXd solve() {
+    // Rounding could release and hold the same one for ever.
+    for (Eigen::Index round = 0; round < 4 * step_.size(); ++round) {
+      while (!step_to_least()) {
       }
+      if (!release_one()) break;
     }
-    if (free.empty()) break;
-    // Least squares in the free ones by QR.
-    MatrixXd columns(residual.size(), Eigen::Index(free.size()));
+    return step_;
+  }
+
+ private:
+  /// Moves the free unknowns to their least squares, or as far as the first bound on the way, which
+  /// then holds its unknown. True when it arrives.
+  bool step_to_least() {
+    std::vector<Eigen::Index> free;
+    VectorXd right = -residual_;
+    for (Eigen::Index i = 0; i < step_.size(); ++i) {
+      if (held_[std::size_t(i)])
+        right -= jacobian_.col(i) * step_[i];
+      else
+        free.push_back(i);
+    }
+    if (free.empty()) return true;
+    MatrixXd columns(residual_.size(), Eigen::Index(free.size()));
     for (std::size_t k = 0; k < free.size(); ++k)
-      columns.col(Eigen::Index(k)) = jacobian.col(free[k]);
-    const VectorXd solved = geometry::least_squares(columns, right);
-    // Those that leave the box are fixed on its bound; done when none does.
-    bool inside = true;
+      columns.col(Eigen::Index(k)) = jacobian_.col(free[k]);
+    const VectorXd least = geometry::least_squares(columns, right);
+    double share = 1;
+    Eigen::Index first = -1;
     for (std::size_t k = 0; k < free.size(); ++k) {
       const auto i = free[k];
-      step[i] = solved[Eigen::Index(k)];
-      const double low = problem.lower[i] - x[i], high = problem.upper[i] - x[i];
-      if (step[i] < low || step[i] > high) {
-        step[i] = step[i] < low ? low : high;
-        fixed[std::size_t(i)] = 1;
-        inside = false;
-      }
+      const double to = least[Eigen::Index(k)];
+      if (to >= low_[i] && to <= high_[i]) continue;
+      const double bound = to < low_[i] ? low_[i] : high_[i];
+      const double reached = (bound - step_[i]) / (to - step_[i]);
+      if (first < 0 || reached < share) share = reached, first = i;
     }
-    if (inside) break;
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      const auto i = free[k];
+      const double to = least[Eigen::Index(k)];
+      if (first < 0)
+        step_[i] = to;
+      else
+        step_[i] = std::clamp(step_[i] + share * (to - step_[i]), low_[i], high_[i]);
+      if (i == first) step_[i] = to < low_[i] ? low_[i] : high_[i];
+    }
+    if (first >= 0) held_[std::size_t(first)] = 1;
+    return first < 0;
   }
-  return step;
-}
+
+  /// Releases the held unknown that would lower the sum most by moving inwards.
+  bool release_one() {
+    const VectorXd slope = jacobian_.transpose() * (jacobian_ * step_ + residual_);
+    Eigen::Index best = -1;
+    double most = kStill * residual_.norm();
+    for (Eigen::Index i = 0; i < step_.size(); ++i) {
+      if (!held_[std::size_t(i)] || low_[i] == high_[i]) continue;
+      const double inwards = step_[i] == low_[i] ? -slope[i] : slope[i];
+      if (inwards > most) most = inwards, best = i;
+    }
+    if (best < 0) return false;
+    held_[std::size_t(best)] = 0;
+    return true;
+  }
+
+  const MatrixXd& jacobian_;
+  const VectorXd& residual_;
+  VectorXd low_, high_, step_;
+  std::vector<char> held_;
+};
 
 }  // namespace
 
@@ -78,7 +123,7 @@ BoundedSolution bounded_gauss_newton(const BoundedProblem& problem) {
       jacobian.col(i) = (evaluate(x) - residual) / h;
     }
     // Line search: halve the step until the cost falls.
-    VectorXd step = boxed_step(jacobian, residual, found.x, problem);
+    VectorXd step = BoxedStep(jacobian, residual, problem.lower - found.x, problem.upper - found.x).solve();
     bool better = false;
     double decrease = 0;
     for (int halving = 0; halving <= kMaxHalvings && !better; ++halving, step *= 0.5) {

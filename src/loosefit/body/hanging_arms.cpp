@@ -1,12 +1,10 @@
 #include "loosefit/body/hanging_arms.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <unordered_map>
-
-#include "loosefit/body/skeleton_pose.h"
 
 namespace loosefit::body {
 namespace {
@@ -40,48 +38,64 @@ class SideProfile {
   std::unordered_map<long, double> reach_;
 };
 
+/// One arm beside its half of the body; the right one is seen in the mirror, as a left one.
 class HangingArm {
  public:
+  /// side: +1 the wearer's left, -1 the right
   HangingArm(const BodyData& data, const RestBody& rest, const BodySkin& skin,
-             const Posture& posture)
-      : data_(data), rest_(rest), skin_(skin), posture_(posture) {
-    const auto joint = [&](const char* bone) {
-      return rest.joints[std::size_t(data.bones[std::size_t(data.bone(bone))].head)];
+             const Posture& posture, int side)
+      : data_(data), rest_(rest), skin_(skin), posture_(posture), side_(side) {
+    const auto joint = [&](const std::string& bone) {
+      const int index = data.bone(bone + (side > 0 ? ".L" : ".R"));
+      return rest.joints[std::size_t(data.bones[std::size_t(index)].head)];
     };
-    const Vec3 shoulder = joint("upperarm01.L"), upper = joint("lowerarm01.L") - shoulder;
+    const Vec3 shoulder = joint("upperarm01"), upper = joint("lowerarm01") - shoulder;
     const auto bones = bones_at(posture.arm_abduction);
     for (std::size_t v = 0; v < rest.surface.vertices.size(); ++v) {
       const Segment part = skin.segment[v];
       if (part == Segment::torso || part == Segment::thigh) {
         profile_.add(posed(bones, v));
-      } else if (skin.side[v] > 0 && is_beside_trunk(part, v, shoulder, upper)) {
+      } else if (skin.side[v] == side && is_beside_trunk(part, v, shoulder, upper)) {
         arm_.push_back(v);
       }
     }
   }
 
+  /// How far aside it hangs.
+  double clear() const {
+    const double asked = posture_.arm_abduction;
+    double low = asked, high = kMostAside;
+    if (low >= high || is_clear(low) || !is_clear(high)) return asked;
+    while (high - low > kAngleError) {
+      const double middle = 0.5 * (low + high);
+      (is_clear(middle) ? high : low) = middle;
+    }
+    return asked + posture_.relaxed_arms * (high - asked);
+  }
+
+ private:
+  bool is_clear(double abduction) const { return room(abduction) >= kRoomBesideTrunk; }
   double room(double abduction) const {
     const auto bones = bones_at(abduction);
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t v : arm_) least = std::min(least, profile_.room(posed(bones, v)));
     return least;
   }
-
- private:
   bool is_beside_trunk(Segment part, std::size_t v, const Vec3& shoulder, const Vec3& upper) const {
     if (part == Segment::forearm || part == Segment::hand) return true;
     return part == Segment::upper_arm &&
            (rest_.surface.vertices[v] - shoulder).dot(upper) > kArmpitShare * upper.squaredNorm();
   }
   std::vector<Eigen::Affine3d> bones_at(double abduction) const {
-    Posture posture = posture_;
-    posture.arm_abduction = abduction;
-    return pose_bones(data_, rest_.joints, posture_rotations(data_, rest_.joints, posture));
+    return pose_bones(
+        data_, rest_.joints,
+        posture_rotations(data_, rest_.joints, posture_, ArmsAside{abduction, abduction}));
   }
   Vec3 posed(const std::vector<Eigen::Affine3d>& bones, std::size_t v) const {
     Vec3 p = Vec3::Zero();
     for (const auto& [bone, weight] : skin_.weights[v])
       p += weight * (bones[std::size_t(bone)] * rest_.surface.vertices[v]);
+    p.x() *= side_;
     return p;
   }
 
@@ -89,26 +103,18 @@ class HangingArm {
   const RestBody& rest_;
   const BodySkin& skin_;
   Posture posture_;
+  int side_;
   SideProfile profile_;
   std::vector<std::size_t> arm_;
 };
 
 }  // namespace
 
-Posture with_clear_arms(const BodyData& data, const RestBody& rest, const BodySkin& skin,
-                        const Posture& posture) {
-  if (posture.relaxed_arms == 0) return posture;
-  const HangingArm arm(data, rest, skin, posture);
-  const auto is_clear = [&](double abduction) { return arm.room(abduction) >= kRoomBesideTrunk; };
-  double low = posture.arm_abduction, high = kMostAside;
-  if (low >= high || is_clear(low) || !is_clear(high)) return posture;
-  while (high - low > kAngleError) {
-    const double middle = 0.5 * (low + high);
-    (is_clear(middle) ? high : low) = middle;
-  }
-  Posture clear = posture;
-  clear.arm_abduction += posture.relaxed_arms * (high - posture.arm_abduction);
-  return clear;
+ArmsAside clear_arms(const BodyData& data, const RestBody& rest, const BodySkin& skin,
+                     const Posture& posture) {
+  if (posture.relaxed_arms == 0) return {posture.arm_abduction, posture.arm_abduction};
+  const auto clear = [&](int side) { return HangingArm(data, rest, skin, posture, side).clear(); };
+  return {clear(1), clear(-1)};
 }
 
 }  // namespace loosefit::body

@@ -5,6 +5,7 @@
 #include "loosefit/body/body.h"
 #include "loosefit/body/body_data.h"
 #include "loosefit/body/rest_body.h"
+#include "loosefit/body/skeleton_pose.h"
 
 namespace loosefit::body {
 
@@ -23,11 +24,13 @@ struct BodySkin {
   const std::vector<int>& side;  ///< as Body::side
 };
 
-/// The posture with its arms as far aside as they need to keep kRoomBesideTrunk beyond kArmpitShare
-/// of the upper arm; as they are where they have it, and in proportion to `relaxed_arms`. Stout
-/// people hold their arms farther aside. Room is measured sideways, at equal depth and height,
-/// against the skin of trunk and thighs; an arm that finds none within 60° stays as asked.
-Posture with_clear_arms(const BodyData& data, const RestBody& rest, const BodySkin& skin,
-                        const Posture& posture);
+/// How far aside each arm of the posture hangs so that it keeps kRoomBesideTrunk beyond
+/// kArmpitShare of the upper arm: as asked where it has that room, and in proportion to
+/// `relaxed_arms`. Each arm is looked at by itself, the right one in the mirror: mirrored postures
+/// have mirrored arms. Stout people hold their arms farther aside. Room is measured sideways, at
+/// equal depth and height, against the skin of trunk and thighs; an arm that finds none within 60°
+/// stays as asked.
+ArmsAside clear_arms(const BodyData& data, const RestBody& rest, const BodySkin& skin,
+                     const Posture& posture);
 
 }  // namespace loosefit::body

@@ -144,12 +144,17 @@ double rest_arm_abduction(const BodyData& data, const std::vector<Vec3>& joints)
 
 BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& joints,
                                 const Posture& posture) {
+  return posture_rotations(data, joints, posture, {posture.arm_abduction, posture.arm_abduction});
+}
+
+BoneRotations posture_rotations(const BodyData& data, const std::vector<Vec3>& joints,
+                                const Posture& posture, const ArmsAside& arms) {
   BoneRotations rotations;
-  const double lift = posture.arm_abduction - rest_arm_abduction(data, joints);
+  const double at_rest = rest_arm_abduction(data, joints);
   const auto raise = [&](const std::string& bone, double share) {
     // About -y (forward) a positive angle raises the left arm; the right arm mirrors it.
-    rotations[bone + ".L"] = about(-Vec3::UnitY(), share * lift);
-    rotations[bone + ".R"] = about(-Vec3::UnitY(), -share * lift);
+    rotations[bone + ".L"] = about(-Vec3::UnitY(), share * (arms.left - at_rest));
+    rotations[bone + ".R"] = about(-Vec3::UnitY(), -share * (arms.right - at_rest));
   };
   raise("clavicle", kClavicleShare);
   raise("shoulder01", kShoulderShare);

@@ -72,7 +72,10 @@ void SoftSkin::follow(particles::VectorField target, Progress* progress) {
   options.first_dt = kStatic;
   // Where much is folded an iteration takes a second.
   options.watch = [&](int, double) {
-    if (progress) progress->check_cancelled();
+    if (progress) {
+      progress->update(0, "skin folds");
+      progress->check_cancelled();
+    }
     return false;
   };
   solver::make_quasi_static(system_)->settle(x_, options);

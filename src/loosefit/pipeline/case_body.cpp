@@ -168,7 +168,8 @@ CaseBody body_from_file(const scenario::ScenarioBody& wished, Progress* progress
 
 CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress) {
   if (!wished.file.empty()) return body_from_file(wished, progress);
-  const body::BodyFit fit = body::fit_body(shared_model(), spec_of(wished));
+  const body::BodyFit fit =
+      body::fit_body(shared_model(), spec_of(wished), body::BodyDetail::subdivided, progress);
   CaseBody result = posed_person(fit.parameters, wished.posture, wished.dress_posture, progress);
   result.asked = fit.table;
   result.warnings = fit.warnings;
