@@ -12,6 +12,7 @@
 #include "loosefit/pattern/curve.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
@@ -131,6 +132,12 @@ std::string block_name(const std::string& name, std::vector<std::string>& taken)
   return unique;
 }
 
+Vec2 middle_of(const std::vector<Vec2>& points) {
+  Vec2 sum = Vec2::Zero();
+  for (const Vec2& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 /// The longest part within the piece of the vertical line through its middle, a little shortened.
 std::pair<Vec2, Vec2> grain_in(const pattern::Panel& panel, const Extent& extent) {
   const std::vector<Vec2> outline = pattern::outline_polygon(panel);
@@ -205,6 +212,14 @@ std::string dxf_text(const pattern::Pattern& pattern, const std::vector<pattern:
     for (const int layer : {1, 14})
       for (const pattern::PanelEdge& edge : panel.edges)
         out.polyline(layer, all_placed(chords(panel, edge)), false);
+    // A text in a cutout names it.
+    for (const pattern::PanelHole& hole : panel.holes) {
+      out.polyline(11, all_placed(hole.points), true);
+      const Vec2 middle = middle_of(hole.points);
+      const bool says_hole = pattern::words_of(hole.name).hole;
+      if (pattern::inside_polygon(hole.points, middle))
+        out.text(11, placed(middle), (says_hole ? "" : "hole ") + one_line(hole.name));
+    }
     for (const pattern::PanelEdge& edge : panel.edges) {
       out.entity("POINT", 2);
       out.at(placed(panel.vertices[edge.start]));

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/pieces/quantity.h"
 #include "loosefit/io/xml_tree.h"
 
 namespace loosefit::io {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMostShapes = 100'000;
 constexpr int kMostUses = 8;  // of uses within each other
+constexpr std::size_t kMostWords = 500;  // bytes of a text
 constexpr double kInch = 25.4;
 
 /// A length with its unit: value, and millimetres of the unit, none for a plain number and for px,
@@ -63,6 +65,36 @@ std::string property(const XmlElement& element, const std::string& name) {
     at = end + 1;
   }
   return element.attribute(name);
+}
+
+/// All words in an element, with a blank between those of its parts.
+std::string words_in_element(const XmlElement& e) {
+  std::string words = e.text;
+  for (const XmlElement& child : e.children) words += " " + words_in_element(child);
+  return words;
+}
+
+bool has_path(const XmlElement& e) {
+  return e.name == "textPath" || std::any_of(e.children.begin(), e.children.end(), has_path);
+}
+
+/// Title and description of an element.
+std::vector<std::string> said_of(const XmlElement& e) {
+  std::vector<std::string> said;
+  for (const XmlElement& child : e.children)
+    if (child.name == "title" || child.name == "desc")
+      said.push_back(words_in_element(child).substr(0, kMostWords));
+  return said;
+}
+
+/// Value of an attribute that counts pieces: quantity, data-quantity, inkscape:cut, …
+std::string quantity_of(const XmlElement& e) {
+  for (const auto& [name, value] : e.attributes) {
+    std::string key = name.substr(name.find(':') == std::string::npos ? 0 : name.find(':') + 1);
+    if (key.starts_with("data-")) key.erase(0, 5);
+    if (counts_pieces(key)) return value.substr(0, kMostWords);
+  }
+  return {};
 }
 
 class Reader {
@@ -148,17 +180,21 @@ class Reader {
       std::vector<int> inner = groups;
       inner.push_back(static_cast<int>(document_.groups.size()));
       document_.groups.push_back({e.attribute("id"), e.attribute("inkscape:label"),
-                                  e.attribute("inkscape:groupmode") == "layer", place});
+                                  e.attribute("inkscape:groupmode") == "layer", place, quantity_of(e),
+                                  said_of(e)});
       for (const XmlElement& child : e.children) element(child, place, inner, uses);
       return;
     }
     if (e.name == "use") return use(e, place, groups, uses);
+    if (e.name == "text") return text(e, place, groups);
     SvgShape shape;
     if (!draw(e, shape)) return;
     shape.kind = e.name;
     shape.id = e.attribute("id");
     shape.label = e.attribute("inkscape:label");
     shape.classes = e.attribute("class");
+    shape.quantity = quantity_of(e);
+    shape.said = said_of(e);
     shape.marker = property(e, "marker-start");
     if (shape.marker.empty() || shape.marker == "none") shape.marker = property(e, "marker-end");
     shape.groups = groups;
@@ -174,6 +210,27 @@ class Reader {
       throw InvalidInput({file_, e.line, {}}, fmt::format("more than {} shapes", kMostShapes),
                          "a pattern");
     document_.shapes.push_back(std::move(shape));
+  }
+
+  void text(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups) {
+    SvgText text;
+    text.words = words_in_element(e).substr(0, kMostWords);
+    if (text.words.find_first_not_of(" \t\r\n") == std::string::npos) return;
+    // The first of the elements that says where it stands.
+    const XmlElement* first = &e;
+    while (first->attribute("x").empty() && !first->children.empty() &&
+           first->children[0].name == "tspan")
+      first = &first->children[0];
+    if (!has_path(e)) {
+      const auto start = [&](const char* key) {
+        const std::string& list = first->attribute(key);
+        return parse_length(list.substr(0, list.find_first_of(" ,"))).value_or(Length{}).value;
+      };
+      text.at = place * Vec2(start("x"), start("y"));
+    }
+    text.groups = groups;
+    text.line = e.line;
+    if (document_.texts.size() < kMostShapes) document_.texts.push_back(std::move(text));
   }
 
   void use(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups, int uses) {
@@ -231,7 +288,7 @@ class Reader {
       run.closed = e.name == "polygon";
       shape.runs = {run};
     } else {
-      if (e.name == "text" || e.name == "image" || e.name == "symbol" || e.name == "foreignObject")
+      if (e.name == "image" || e.name == "symbol" || e.name == "foreignObject")
         ++left_[e.name];
       return false;
     }

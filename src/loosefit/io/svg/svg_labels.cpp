@@ -69,6 +69,33 @@ std::string described(const SvgDocument& document, const SvgShape& shape) {
   return name.empty() ? fmt::format("the one at line {}", shape.line) : '"' + printable(name) + '"';
 }
 
+std::string trimmed_words(const std::string& text) {
+  std::istringstream words(text);
+  std::string all;
+  for (std::string word; words >> word;) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
+std::string called_line(const SvgShape& shape) {
+  const std::string name = own_name(shape.label, shape.id);
+  return (name.empty() ? std::string() : '"' + printable(name, 60) + "\" ") +
+         fmt::format("at line {}", shape.line);
+}
+
+pattern::PieceWords words_of_shape(const SvgShape& shape) {
+  return pattern::words_of(own_name(shape.label, shape.id) + " " + shape.classes);
+}
+
+int innermost_group(const SvgShape& shape) {
+  return shape.groups.empty() ? -1 : shape.groups.back();
+}
+
+pattern::PieceWords words_of_group(const SvgDocument& document, const SvgShape& shape) {
+  const int g = innermost_group(shape);
+  if (g < 0) return {};
+  return pattern::words_of(own_name(document.groups[g].label, document.groups[g].id));
+}
+
 bool names_a_piece(const pattern::PieceWords& w) {
   return w.front || w.back || w.sleeve || w.leg || w.skirt || w.yoke || w.pocket || w.hood ||
          w.neck || w.cuff || w.waist || w.hem;
