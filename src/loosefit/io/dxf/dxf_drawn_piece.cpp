@@ -394,8 +394,10 @@ std::vector<DrawnPiece> pieces_of_block(const DxfPiece& piece, double metre) {
     if (!one.grain)
       one.notes.push_back(
           "it has no grain line (layer 7): the warp is taken along the file's y");
+    std::vector<std::string> texts = piece.texts;
+    texts.insert(texts.end(), {piece.annotation, piece.quantity});
     if (one.folds.empty())
-      for (const std::string& text : piece.texts)
+      for (const std::string& text : texts)
         if (pattern::words_of(text).fold)
           one.notes.push_back("its text \"" + printable(text) +
                               "\" speaks of a fold, but no mirror line (layer 6) says where: not "

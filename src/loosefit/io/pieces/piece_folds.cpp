@@ -161,7 +161,7 @@ Unfolded unfold_piece(DrawnPiece& piece) {
         piece.outline = cleaned(std::move(piece.outline));
         unfold_holes(piece, line.axis, result.notes);
         for (const Outline& loop : within)
-          piece.holes.push_back({"on the fold", points_of(loop)});
+          piece.holes.push_back({"inner hole", points_of(loop)});
         const Vec2 across = across_of(line.axis);
         for (std::size_t i = 0, n = piece.notches.size(); i < n; ++i)
           if (const double d = across.dot(piece.notches[i] - a); std::abs(d) > kOnAxis)

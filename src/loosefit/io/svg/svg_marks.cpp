@@ -37,6 +37,20 @@ std::vector<std::string> texts_of(const SvgDocument& document, double unit,
   return texts;
 }
 
+void tell_of_fold(DrawnPiece& piece, const std::vector<std::string>& texts,
+                  const std::vector<std::string>& labels) {
+  const char* const but = " speaks of a fold, but no line called \"fold\" says where: not unfolded";
+  if (pattern::words_of(piece.name).fold)
+    piece.notes.push_back(std::string("its name") + but);
+  else
+    for (const std::string& label : labels)
+      if (pattern::words_of(label).fold)
+        piece.notes.push_back("its label \"" + printable(label) + '"' + but);
+  for (const std::string& text : texts)
+    if (pattern::words_of(text).fold)
+      piece.notes.push_back("its text \"" + printable(text) + '"' + but);
+}
+
 }  // namespace
 
 int SvgPlaces::piece_of(const std::vector<int>& round, const std::optional<Vec2>& at) const {
@@ -88,6 +102,7 @@ void give_counts(const SvgDocument& document, double unit,
     DrawnPiece& piece = pieces[p].piece;
     const std::vector<std::string> texts =
         texts_of(document, unit, places, static_cast<int>(p));
+    std::vector<std::string> labels;
     std::optional<PieceCount> known;
     const auto take = [&](const std::optional<PieceCount>& count) {
       if (!count) return;
@@ -107,24 +122,22 @@ void give_counts(const SvgDocument& document, double unit,
     };
     if (const SvgShape* shape = shapes[p]) {
       read(shape->quantity);
-      for (const std::string& words : shape->said) take(find_quantity(words));
-      take(find_quantity(own_name(shape->label, shape->id)));
+      labels = shape->said;
+      labels.push_back(own_name(shape->label, shape->id));
+      for (const std::string& words : labels) take(find_quantity(words));
     }
     for (const std::string& words : texts) take(find_quantity(words));
     if (const SvgShape* shape = shapes[p])
       for (std::size_t k = shape->groups.size(); k-- > 0;) {
         const SvgGroup& group = document.groups[shape->groups[k]];
         read(group.quantity);
-        for (const std::string& words : group.said) take(find_quantity(words));
-        take(find_quantity(own_name(group.label, group.id)));
+        std::vector<std::string> around = group.said;
+        around.push_back(own_name(group.label, group.id));
+        for (const std::string& words : around) take(find_quantity(words));
+        labels.insert(labels.end(), around.begin(), around.end());
       }
     if (known) pieces[p].count = *known;
-    if (!piece.folds.empty()) continue;
-    for (const std::string& text : texts)
-      if (pattern::words_of(text).fold)
-        piece.notes.push_back("its text \"" + printable(text) +
-                              "\" speaks of a fold, but no line called \"fold\" says where: not "
-                              "unfolded");
+    if (piece.folds.empty()) tell_of_fold(piece, texts, labels);
   }
 }
 

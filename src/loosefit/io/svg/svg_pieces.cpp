@@ -53,10 +53,6 @@ class Sorter {
     chain_groups(pieces, pieces_of_group);
     give_marks(document_, unit_, marks_, places_, pieces, left);
     give_counts(document_, unit_, shapes_, places_, pieces);
-    for (CountedPiece& piece : pieces)
-      if (piece.piece.folds.empty() && pattern::words_of(piece.piece.name).fold)
-        piece.piece.notes.push_back(
-            "its name speaks of a fold, but no line called \"fold\" says where: not unfolded");
     for (int k = chained_; k < static_cast<int>(open_.size()); ++k)
       left.count("open lines that are no grain, fold or notch");
     return pieces;
@@ -174,7 +170,7 @@ class Sorter {
         continue;
       }
       // A piece, or the group round it, may be called "front on fold" or "notched collar".
-      const bool mark = own.grain || own.fold || own.notch;
+      const bool mark = !own.hole && (own.grain || own.fold || own.notch);
       const bool of_marks = (group.grain || group.fold || group.notch) &&
                             !(names_a_piece(group) && holds_a_piece(innermost_group(shape)));
       if (!mark && !of_marks)
