@@ -140,14 +140,17 @@ Vec2 middle_of(const std::vector<Vec2>& points) {
 
 /// The longest part within the piece of the vertical line through its middle, a little shortened.
 std::pair<Vec2, Vec2> grain_in(const pattern::Panel& panel, const Extent& extent) {
-  const std::vector<Vec2> outline = pattern::outline_polygon(panel);
   const double x = 0.5 * (extent.low.x() + extent.high.x());
   std::vector<double> crossings;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    if ((a.x() > x) == (b.x() > x)) continue;
-    crossings.push_back(a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
-  }
+  const auto cross = [&](const std::vector<Vec2>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];
+      if ((a.x() > x) == (b.x() > x)) continue;
+      crossings.push_back(a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
+    }
+  };
+  cross(pattern::outline_polygon(panel));
+  for (const pattern::PanelHole& hole : panel.holes) cross(hole.points);
   std::sort(crossings.begin(), crossings.end());
   double low = extent.low.y(), high = extent.high.y(), longest = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
