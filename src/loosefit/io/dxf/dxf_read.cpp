@@ -149,7 +149,8 @@ std::vector<const DxfPiece*> of_own_cloth(const std::vector<const DxfPiece*>& pi
 }
 
 /// Counts what the blocks hold beyond what a panel is made of.
-void list_unused(const std::vector<const DxfPiece*>& pieces, LeftOut& left) {
+void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::string>& unused) {
+  std::map<int, std::map<std::string, int>> left;
   for (const DxfPiece* piece : pieces)
     for (const DxfEntity& e : piece->block->entities) {
       const bool text = e.kind == "TEXT" || e.kind == "MTEXT";
@@ -160,12 +161,17 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, LeftOut& left) {
                            e.layer == 14 || e.layer == 11)) ||
                      e.layer == 2 ||
                      ((e.layer == 4 || (e.layer >= 80 && e.layer <= 83)) && !e.points.empty());
-      if (used) continue;
-      const std::string layer =
-          e.layer < 0 ? std::string("layers whose name is no number")
-                      : fmt::format("layer {} ({})", e.layer, layer_meaning(e.layer));
-      left.count(layer + ", " + printable(e.kind, 20), e.kind == "INSERT" ? e.text : "");
+      // A symbol is told by the name of its block.
+      if (!used) ++left[e.layer][e.kind == "INSERT" ? "INSERT " + quoted(e.text) : e.kind];
     }
+  for (const auto& [layer, kinds] : left) {
+    std::vector<std::string> counts;
+    for (const auto& [kind, count] : kinds)
+      counts.push_back(fmt::format("{} {}", count, printable(kind, 60)));
+    unused.push_back((layer < 0 ? std::string("layers whose name is no number")
+                                : fmt::format("layer {} ({})", layer, layer_meaning(layer))) +
+                     ": " + join(counts));
+  }
 }
 
 /// Blocks and lines that are no pieces.
@@ -271,8 +277,8 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   collector.finish(file, "sew line (layer 14)");
   LeftOut left;
   list_what_is_no_piece(document, style, left);
-  list_unused(pieces, left);
   left.sum_up();
+  list_unused(pieces, left.unused);
   result.unused.insert(result.unused.end(), left.unused.begin(), left.unused.end());
   result.warnings.insert(result.warnings.end(), left.warnings.begin(), left.warnings.end());
   if (all.size() < style.pieces.size())

@@ -88,7 +88,9 @@ class Sorter {
           sizes.size() + 1, labels_of(sizes)));
     cut_holes(piece, i, cut, outline, others, left);
     const int group = innermost_group(shape);
-    places_.groups.push_back(pieces_of_group.at(group) == 1 ? group : -1);
+    const auto pieces_in_group = pieces_of_group.find(group);
+    const bool own = pieces_in_group != pieces_of_group.end() && pieces_in_group->second == 1;
+    places_.groups.push_back(own ? group : -1);
     places_.outlines.push_back(closed_[cut].line.points);
     shapes_.push_back(&shape);
     return made;
