@@ -152,6 +152,11 @@ TEST(PatternAccount, LineCalledAHoleByItsNameOrATextInItIsCut) {
     EXPECT_NEAR(area_mm2(file), 600 * 850 - circle_area(), 50) << called;
     EXPECT_TRUE(tells(file.used, called)) << all(file.used);
   }
+  const PatternFile by_group = parse_svg_pattern(
+      tunic("<g inkscape:label=\"holes\"><path d=\"" + std::string(kCircle) +
+            "\"/><circle cx=\"300\" cy=\"150\" r=\"30\"/></g>"),
+      "t");
+  EXPECT_NEAR(area_mm2(by_group), 600 * 850 - circle_area() - kPi * 900, 60);
   const PatternFile by_text = parse_svg_pattern(
       tunic("<path d=\"" + std::string(kCircle) +
             "\"/><text x=\"330\" y=\"500\"><tspan>neck\n hole</tspan></text>"),

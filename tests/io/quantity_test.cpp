@@ -63,7 +63,8 @@ TEST(PieceQuantity, SaysHowItWasReadWhereThatIsNotPlain) {
 TEST(PieceQuantity, SizesMeasuresAndOtherClothsAreNoCounts) {
   for (const char* text :
        {"FRONT 2X", "100 x 100 mm", "size 38", "front 2", "1.5 cm seam allowance", "pattern 3 of 12",
-        "cut on fold", "cut 2 from lining", "Cut 2 Fusible", "1,5 x", "armhole"})
+        "cut on fold", "sleeve_x5F_left",
+        "cut 2 from lining", "Cut 2 Fusible", "1,5 x", "armhole"})
     EXPECT_EQ(counts(find_quantity(text)), Pair(-1, -1)) << text;
   for (const char* value : {"", "some", "1.5", "-", "many pieces", "12345"})
     EXPECT_EQ(counts(read_quantity(value)), Pair(-1, -1)) << value;

@@ -379,7 +379,12 @@ std::vector<DrawnPiece> pieces_of_block(const DxfPiece& piece, double metre) {
     one.name = piece.name;
     one.fault = fault;
     one.on_sew_line = found[k].on_sew_line;
-    if (k == 0) one.notes = notes;
+    if (k == 0)
+      one.notes = notes;
+    else
+      one.notes.push_back("a further outline of its block, of " +
+                          square_centimetres(found[k].outline) +
+                          ", is taken as a piece of its own");
     if (!none) find_holes(block, found[k], metre, one, taken);
     for (const Vec2& p : notch_points(block, metre))
       if (belongs(k, p)) one.notches.push_back(p);

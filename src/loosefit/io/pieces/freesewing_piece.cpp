@@ -181,10 +181,13 @@ std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool mark
       piece.folds.push_back({part.middle.first, part.middle.second});
     if (const auto said = count_in(part.texts, piece.notes))
       one.count = *said;
-    else if (piece.folds.empty() && !one_hand &&
+    else if (k == 0 && piece.folds.empty() && !one_hand &&
              (words.sleeve || words.cuff || words.leg || words.front || words.back ||
               (words.hood && !words.centre)))
       one.count.mirrored = 1;
+    if (k > 0)
+      piece.notes.push_back("a further outline of its part, " + called(*outlines[k]) +
+                            ", is taken as a piece of its own");
     if (piece.folds.empty())
       for (const std::string& text : part.texts)
         if (pattern::words_of(text).fold)

@@ -150,7 +150,7 @@ class Finder {
       if (is_word(k) && is_pair_word(tokens_[k].text)) return Found{i, k, 1, true};
     }
     if (is_times(i) && is_digits(i + 1) && is_number(i + 1) && (i == 0 || !is_digits(i - 1)) &&
-        !is_fraction(i + 1))
+        !is_fraction(i + 1) && !(is_word(i + 2) && tokens_[i + 2].begin == tokens_[i + 1].end))
       return with_unit(i, i + 1, tokens_[i + 1].number);
     if (is_number(i) && !is_fraction(i)) {
       const bool digits = is_digits(i);

@@ -37,6 +37,9 @@ pattern::PieceWords words_of_shape(const SvgShape& shape);
 /// What the group says in which a shape stands.
 pattern::PieceWords words_of_group(const SvgDocument& document, const SvgShape& shape);
 
+/// Whether a line is called a hole: by its own label, id or class, else by the group round it.
+bool is_called_hole(const SvgDocument& document, const SvgShape& shape);
+
 /// The innermost group round a shape; −1.
 int innermost_group(const SvgShape& shape);
 

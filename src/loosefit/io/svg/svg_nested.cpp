@@ -19,15 +19,13 @@ bool is_rectangle(const SvgLine& run) {
   return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
 }
 
-bool is_called_hole(const SvgLine& line) { return words_of_shape(*line.shape).hole; }
-
 /// Whether a rectangle covers several other lines. Nearly as large are only other sizes of it, which
 /// lie in each other.
-bool covers_others(const std::vector<SvgLine>& closed, std::size_t i) {
+bool covers_others(const SvgDocument& document, const std::vector<SvgLine>& closed, std::size_t i) {
   int others = 0, nearly_as_large = 0;
   for (std::size_t j = 0; j < closed.size() && others + nearly_as_large < 2; ++j) {
     if (j == i || closed[j].area >= closed[i].area || closed[j].shape == closed[i].shape ||
-        is_called_hole(closed[j]) ||
+        is_called_hole(document, *closed[j].shape) ||
         words_of_shape(*closed[j].shape).seam != words_of_shape(*closed[i].shape).seam ||
         !lies_inside(closed[j].line.points, closed[i].line.points))
       continue;
@@ -67,7 +65,7 @@ std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<Svg
     const Vec2 size = box_of(closed[i].line.points).sizes();
     frame[i] = (page.minCoeff() > 0 && size.x() > kWholePage * page.x() &&
                 size.y() > kWholePage * page.y()) ||
-               covers_others(closed, i);
+               covers_others(document, closed, i);
   }
   std::vector<SvgLine> kept;
   for (std::size_t i = 0; i < closed.size(); ++i) {
@@ -86,7 +84,7 @@ std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<Svg
   return kept;
 }
 
-std::vector<int> lines_round(const std::vector<SvgLine>& closed) {
+std::vector<int> lines_round(const SvgDocument& document, const std::vector<SvgLine>& closed) {
   std::vector<int> within(closed.size(), -1);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     const auto round = [&](std::size_t j, bool partly) {
@@ -97,7 +95,7 @@ std::vector<int> lines_round(const std::vector<SvgLine>& closed) {
     };
     for (std::size_t j = 0; j < closed.size() && within[i] < 0; ++j)
       if (round(j, false)) within[i] = static_cast<int>(j);
-    if (within[i] >= 0 || !is_called_hole(closed[i])) continue;
+    if (within[i] >= 0 || !is_called_hole(document, *closed[i].shape)) continue;
     for (std::size_t j = 0; j < closed.size() && within[i] < 0; ++j)
       if (round(j, true)) within[i] = static_cast<int>(j);
   }

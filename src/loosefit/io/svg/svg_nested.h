@@ -17,7 +17,7 @@ std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<Svg
 
 /// Per closed line the index of one round it; −1. A line that is called a hole belongs to one in
 /// which a part of it lies.
-std::vector<int> lines_round(const std::vector<SvgLine>& closed);
+std::vector<int> lines_round(const SvgDocument& document, const std::vector<SvgLine>& closed);
 
 /// Names of the closed lines that a text calls a hole, "neck hole", by standing in or beside them;
 /// empty ones of the others. A text that speaks of a hole where there is no such line is told.

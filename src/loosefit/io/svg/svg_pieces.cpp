@@ -42,7 +42,7 @@ class Sorter {
   std::vector<CountedPiece> sort(LeftOut& left) {
     gather(left);
     closed_ = without_frames(document_, std::move(closed_), unit_, left);
-    within_ = lines_round(closed_);
+    within_ = lines_round(document_, closed_);
     hole_names_ = holes_by_text(document_, unit_, closed_, within_, left);
     std::vector<CountedPiece> pieces;
     std::map<int, int> pieces_of_group;
@@ -110,7 +110,7 @@ class Sorter {
       const pattern::PieceWords words = words_of_shape(*line.shape);
       const bool one_path = line.shape == closed_[cut].shape &&
                             line.area <= kShareOfPiece * closed_[cut].area;
-      if (words.hole || one_path || !hole_names_[k].empty()) {
+      if (is_called_hole(document_, *line.shape) || one_path || !hole_names_[k].empty()) {
         holes.push_back(k);
       } else if (words.seam) {
         left.count("sew lines that are not used", own_name(line.shape->label, line.shape->id));
@@ -206,7 +206,7 @@ class Sorter {
         one.area = std::abs(pattern::signed_area(one.line.points));
         if (one.area >= kSmallestPiece)
           closed_.push_back(std::move(one));
-        else if (words_of_shape(shape).hole)
+        else if (is_called_hole(document_, shape))
           left.tell("closed line " + called_line(shape) +
                     ": not cut, it has less than 4 cm2, for which the mesh of a garment has no room");
         else
@@ -249,7 +249,7 @@ class Sorter {
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (i != outer && outermost(i) == outer &&
           closed_[i].area > kShareOfPiece * closed_[outer].area &&
-          !words_of_shape(*closed_[i].shape).seam && !words_of_shape(*closed_[i].shape).hole)
+          !words_of_shape(*closed_[i].shape).seam && !is_called_hole(document_, *closed_[i].shape))
         found.push_back(i);
     return found;
   }
