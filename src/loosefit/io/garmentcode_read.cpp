@@ -412,6 +412,12 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file) 
     throw GeometryError(file + ": " + e.what(), e.hint());
   }
   set_panel_order(result.pattern, order);
+  for (const pattern::Panel& panel : result.pattern.panels) {
+    std::string line = "panel " + printable(panel.name) + ": its outline";
+    for (const pattern::PanelHole& hole : panel.holes)
+      line += ", hole \"" + printable(hole.name) + "\" cut";
+    result.used.push_back(std::move(line));
+  }
   note_draft(root, result);
   warn_of_unread_keys(root, result.warnings);
   return result;
