@@ -11,6 +11,7 @@
 #include "loosefit/io/pattern_svg.h"
 #include "loosefit/io/svg/svg_read.h"
 #include "loosefit/pattern/hole.h"
+#include "loosefit/pattern/known_garment.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
 #include "support/pattern_design.h"
@@ -79,7 +80,8 @@ Dialects read_all(const Design& design) {
   files["FreeSewing SVG"] = parse_svg_pattern(as_freesewing_svg(design), "d.svg");
   files["FreeSewing JSON"] = parse_freesewing_json(as_freesewing_json(design), "d.json");
   for (const int how : {0, 1}) {
-    files["Inkscape " + std::to_string(how)] = parse_svg_pattern(as_inkscape_svg(design, how), "d.svg");
+    files["Inkscape " + std::to_string(how)] =
+        parse_svg_pattern(as_inkscape_svg(design, how), "d.svg");
     files["DXF " + std::to_string(how)] = parse_dxf_pattern(as_dxf(design, how), "d.dxf");
   }
   return files;
@@ -105,6 +107,42 @@ TEST(PatternAccount, EveryDialectOfADesignIsTheSamePieces) {
       EXPECT_TRUE(tells(file.used, "once as drawn, once mirrored")) << all(file.used);
       EXPECT_FALSE(tells(file.warnings, "not cut"));
       EXPECT_FALSE(tells(file.warnings, "not used"));
+    }
+  }
+}
+
+/// Lengths of both sides of every seam of a garment that is known, in mm.
+std::vector<double> seam_lengths(const pattern::Pattern& pattern, const std::string& kind) {
+  const pattern::KnownGarment known = pattern::know_garment(pattern);
+  EXPECT_EQ(known.kind, kind);
+  EXPECT_TRUE(known.certain()) << all(known.doubts);
+  std::vector<double> lengths;
+  for (const pattern::ChainSeam& seam : known.seams)
+    for (const auto* run : {&seam.first, &seam.second}) {
+      double length = 0;
+      for (const pattern::Stitch::Side& side : *run)
+        length += 1e3 * pattern::EdgePath(pattern.panels[side.panel], side.edge).length();
+      lengths.push_back(length);
+    }
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+TEST(PatternAccount, EveryDialectOfASkirtIsSewnAlike) {
+  for (const double flare : {60.0, 110.0, 170.0}) {
+    Design skirt;
+    for (const char* name : {"skirtFront", "skirtBack"}) {
+      DesignPart half{name, {{{0, 0}, {200 + flare, 0}, {200, 600}, {0, 600}}}, {}, {}, "", {}, {}};
+      half.folds = {{{0, 100}, {0, 500}}};
+      half.holes = {moved(arc(40, 0, 350, 35), {100, 300})};
+      skirt.push_back(half);
+    }
+    const double side = std::hypot(flare, 600);
+    for (const auto& [dialect, file] : read_all(skirt)) {
+      SCOPED_TRACE(dialect);
+      const std::vector<double> lengths = seam_lengths(file.pattern, "skirt");
+      ASSERT_EQ(lengths.size(), 4u);
+      for (const double length : lengths) EXPECT_NEAR(length, side, 0.01);
     }
   }
 }
@@ -142,7 +180,9 @@ std::string tunic(const std::string& more, const std::string& name = "tunic") {
 const char* const kCircle = "M 250,500 A 100,90 0 1 0 450,500 A 100,90 0 1 0 250,500 z";
 double circle_area() { return kPi * 100 * 90; }
 
-double area_mm2(const PatternFile& file) { return 1e6 * pattern::cloth_area(file.pattern.panels[0]); }
+double area_mm2(const PatternFile& file) {
+  return 1e6 * pattern::cloth_area(file.pattern.panels[0]);
+}
 
 TEST(PatternAccount, LineCalledAHoleByItsNameOrATextInItIsCut) {
   for (const char* called : {"neck hole", "Hole", "cutout", "Halsloch", "Aussparung", "keyhole"}) {
@@ -152,15 +192,15 @@ TEST(PatternAccount, LineCalledAHoleByItsNameOrATextInItIsCut) {
     EXPECT_NEAR(area_mm2(file), 600 * 850 - circle_area(), 50) << called;
     EXPECT_TRUE(tells(file.used, called)) << all(file.used);
   }
-  const PatternFile by_group = parse_svg_pattern(
-      tunic("<g inkscape:label=\"holes\"><path d=\"" + std::string(kCircle) +
-            "\"/><circle cx=\"300\" cy=\"150\" r=\"30\"/></g>"),
-      "t");
+  const PatternFile by_group =
+      parse_svg_pattern(tunic("<g inkscape:label=\"holes\"><path d=\"" + std::string(kCircle) +
+                              "\"/><circle cx=\"300\" cy=\"150\" r=\"30\"/></g>"),
+                        "t");
   EXPECT_NEAR(area_mm2(by_group), 600 * 850 - circle_area() - kPi * 900, 60);
-  const PatternFile by_text = parse_svg_pattern(
-      tunic("<path d=\"" + std::string(kCircle) +
-            "\"/><text x=\"330\" y=\"500\"><tspan>neck\n hole</tspan></text>"),
-      "t");
+  const PatternFile by_text =
+      parse_svg_pattern(tunic("<path d=\"" + std::string(kCircle) +
+                              "\"/><text x=\"330\" y=\"500\"><tspan>neck\n hole</tspan></text>"),
+                        "t");
   EXPECT_NEAR(area_mm2(by_text), 600 * 850 - circle_area(), 50);
   EXPECT_TRUE(tells(by_text.used, "\"neck hole\""));
 }
@@ -176,15 +216,16 @@ TEST(PatternAccount, LineThatIsNotCutIsNamedInAWarning) {
   const PatternFile small = parse_svg_pattern(
       tunic("<circle inkscape:label=\"thumb hole\" cx=\"300\" cy=\"300\" r=\"8\"/>"), "t");
   EXPECT_TRUE(tells(small.warnings, "thumb hole")) << all(small.warnings);
-  const PatternFile text = parse_svg_pattern(
-      tunic("<text x=\"330\" y=\"500\">neck hole</text>"), "t");
+  const PatternFile text =
+      parse_svg_pattern(tunic("<text x=\"330\" y=\"500\">neck hole</text>"), "t");
   EXPECT_TRUE(tells(text.warnings, "\"neck hole\"")) << all(text.warnings);
 }
 
 TEST(PatternAccount, HoleThatTouchesTheOutlineIsRefusedByName) {
   for (const double x : {149.9, 150.0, 120.0}) {
     const PatternFile file = parse_svg_pattern(
-        tunic(fmt::format("<circle inkscape:label=\"arm hole\" cx=\"{}\" cy=\"400\" r=\"100\"/>", x)),
+        tunic(
+            fmt::format("<circle inkscape:label=\"arm hole\" cx=\"{}\" cy=\"400\" r=\"100\"/>", x)),
         "t");
     ASSERT_EQ(file.pattern.panels.size(), 1u);
     EXPECT_NEAR(area_mm2(file), 600 * 850, 1e-3);
@@ -209,7 +250,8 @@ TEST(PatternAccount, HoleAcrossAFoldIsCutOnceWhereItIsSymmetric) {
 TEST(PatternAccount, SecondFoldIsUsedAtARightAngleAndToldOtherwise) {
   const auto folds = [](const std::string& second) {
     return "<path inkscape:label=\"fold\" d=\"M 50,60 V 300\"/><path inkscape:label=\"fold line\" "
-           "d=\"" + second + "\"/>";
+           "d=\"" +
+           second + "\"/>";
   };
   // At the lower edge; on the first one again; at the other side; beside all edges.
   const PatternFile four = parse_svg_pattern(tunic(folds("M 100,900 H 500"), "panel"), "t");
@@ -245,9 +287,10 @@ TEST(PatternAccount, CountsThatAreNotPlainAreToldInTheWordsOfTheFile) {
     const bool twice = says != "3" && says != "none at all" && says != "0";
     EXPECT_EQ(file.pattern.panels.size(), says == "0" ? 7u : twice ? 9u : 8u) << says;
   }
-  const std::string svg = svg_page(
-      "", "<path inkscape:label=\"sleeve\" data-quantity=\"2\" d=\"M 0,0 H 300 V 500 z\"/>"
-          "<path inkscape:label=\"cuff, cut 4\" d=\"M 400,0 H 700 V 100 z\"/>");
+  const std::string svg =
+      svg_page("",
+               "<path inkscape:label=\"sleeve\" data-quantity=\"2\" d=\"M 0,0 H 300 V 500 z\"/>"
+               "<path inkscape:label=\"cuff, cut 4\" d=\"M 400,0 H 700 V 100 z\"/>");
   const PatternFile file = parse_svg_pattern(svg, "p.svg");
   EXPECT_EQ(file.pattern.panels.size(), 4u);
   EXPECT_GE(file.pattern.find_panel("cuff_mirrored"), 0);
@@ -263,7 +306,8 @@ TEST(PatternAccount, ClassesAndLinesOfOtherLayersAreNamed) {
   // A closed line on the layer of internal lines is drawn, not cut.
   std::string dxf = as_dxf(drawn_design(2), 0);
   const std::string line =
-      "0\nPOLYLINE\n8\n8\n66\n1\n70\n1\n0\nVERTEX\n8\n8\n10\n20\n20\n20\n0\nVERTEX\n8\n8\n10\n80\n20\n"
+      "0\nPOLYLINE\n8\n8\n66\n1\n70\n1\n0\nVERTEX\n8\n8\n10\n20\n20\n20\n0\nVERTEX\n8\n8\n10\n80\n2"
+      "0\n"
       "20\n0\nVERTEX\n8\n8\n10\n80\n20\n90\n0\nSEQEND\n8\n8\n";
   dxf.insert(dxf.find("0\nENDBLK"), line);
   const PatternFile file = parse_dxf_pattern(dxf, "d.dxf");

@@ -24,7 +24,10 @@ TEST(PieceQuantity, OneNumberInEveryWayOfWritingItIsTheSameCount) {
     for (const std::string& value :
          {digits, " " + digits + " ", digits + ",0", digits + ".0", digits + ",00", "x" + digits,
           digits + "x", digits + " x", "\xc3\x97" + digits, "Cut " + digits, "CUT: " + digits,
-          "cut x" + digits, digits + " pcs", digits + " St\xc3\xbc" "ck", "QTY=" + digits})
+          "cut x" + digits, digits + " pcs",
+          digits + " St\xc3\xbc"
+                   "ck",
+          "QTY=" + digits})
       EXPECT_EQ(counts(read_quantity(value)), halves(n)) << value;
     for (const std::string& text :
          {"gore, cut " + digits, "Gore QTY " + digits + " self", "gore x" + digits + " (fabric)",
@@ -62,9 +65,9 @@ TEST(PieceQuantity, SaysHowItWasReadWhereThatIsNotPlain) {
 
 TEST(PieceQuantity, SizesMeasuresAndOtherClothsAreNoCounts) {
   for (const char* text :
-       {"FRONT 2X", "100 x 100 mm", "size 38", "front 2", "1.5 cm seam allowance", "pattern 3 of 12",
-        "cut on fold", "sleeve_x5F_left",
-        "cut 2 from lining", "Cut 2 Fusible", "1,5 x", "armhole"})
+       {"FRONT 2X", "100 x 100 mm", "size 38", "front 2", "1.5 cm seam allowance",
+        "pattern 3 of 12", "cut on fold", "sleeve_x5F_left", "cut 2 from lining", "Cut 2 Fusible",
+        "1,5 x", "armhole"})
     EXPECT_EQ(counts(find_quantity(text)), Pair(-1, -1)) << text;
   for (const char* value : {"", "some", "1.5", "-", "many pieces", "12345"})
     EXPECT_EQ(counts(read_quantity(value)), Pair(-1, -1)) << value;

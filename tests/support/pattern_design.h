@@ -50,8 +50,8 @@ inline Line moved(Line line, const Vec2& by) {
   return line;
 }
 
-/// Six parts of one seed: a half piece with holes apart from the fold and at it, a quarter of a ring,
-/// a piece with two holes, two outlines in one part, one that is cut twice, a plain one.
+/// Six parts of one seed: a half piece with holes apart from the fold and at it, a quarter of a
+/// ring, a piece with two holes, two outlines in one part, one that is cut twice, a plain one.
 inline Design drawn_design(unsigned seed) {
   std::mt19937 random(seed);
   const auto between = [&](double low, double high) {
@@ -93,15 +93,20 @@ inline Design drawn_design(unsigned seed) {
     const double w = between(200, 300), h = between(400, 600);
     const Line large{{0, 0}, {w, 0}, {w, h}, {0, h}},
         small{{w + 20, 0}, {w + 150, 0}, {w + 150, h - 50}, {w + 20, h - 80}};
-    design.push_back({"pairD", {large, small}, {}, {}, "", {polygon_area(large), polygon_area(small)},
-                      {0, 0}});
+    design.push_back(
+        {"pairD", {large, small}, {}, {}, "", {polygon_area(large), polygon_area(small)}, {0, 0}});
   }
   {
     const double length = between(500, 700);
     const Line gore{{0, 0}, {between(150, 200), 0}, {100, length}, {0, length}};
     const char* const says[] = {"gore, cut 2, mirrored", "Cut 2", "1 pair", "gore x2", "Qty: 2"};
-    design.push_back({"goreE", {gore}, {}, {}, says[seed % 5],
-                      {polygon_area(gore), polygon_area(gore)}, {0, 0}});
+    design.push_back({"goreE",
+                      {gore},
+                      {},
+                      {},
+                      says[seed % 5],
+                      {polygon_area(gore), polygon_area(gore)},
+                      {0, 0}});
   }
   const Line plain{{0, 0}, {between(150, 200), 0}, {between(90, 140), 300}, {0, 350}};
   design.push_back({"plainF", {plain}, {}, {}, "cut 1", {polygon_area(plain)}, {0}});
@@ -118,8 +123,8 @@ inline std::string svg_data(const Line& line, bool closed = true) {
 inline std::string svg_page(const std::string& attributes, const std::string& body) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" "
          "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" " +
-         attributes + " width=\"5000mm\" height=\"3000mm\" viewBox=\"0 -2000 5000 3000\">\n" + body +
-         "</svg>\n";
+         attributes + " width=\"5000mm\" height=\"3000mm\" viewBox=\"0 -2000 5000 3000\">\n" +
+         body + "</svg>\n";
 }
 
 /// A bracket beside a fold, as FreeSewing draws one: from the fold into the piece and back.
@@ -135,16 +140,18 @@ inline std::string as_freesewing_svg(const Design& design) {
   double x = 0;
   for (const DesignPart& part : design) {
     const std::string id = "d." + part.name;
-    body += fmt::format("<g id=\"fs-stack-{0}\" transform=\"translate({1},0)\"><g "
-                        "id=\"fs-stack-{0}-part-{0}\">\n",
-                        id, x);
+    body += fmt::format(
+        "<g id=\"fs-stack-{0}\" transform=\"translate({1},0)\"><g "
+        "id=\"fs-stack-{0}-part-{0}\">\n",
+        id, x);
     for (const auto* lines : {&part.outlines, &part.holes})
       for (const Line& line : *lines)
         body += "<path class=\"fabric\" d=\"" + svg_data(line) + "\"/>\n";
     for (const auto& fold : part.folds)
-      body += "<path class=\"note\" marker-start=\"url(#cutonfoldFrom)\" "
-              "marker-end=\"url(#cutonfoldTo)\" d=\"" +
-              svg_data(bracket(fold), false) + "\"/>\n";
+      body +=
+          "<path class=\"note\" marker-start=\"url(#cutonfoldFrom)\" "
+          "marker-end=\"url(#cutonfoldTo)\" d=\"" +
+          svg_data(bracket(fold), false) + "\"/>\n";
     if (!part.count.empty())
       body += "<text><textPath><tspan>" + part.count + "</tspan></textPath></text>\n";
     body += "</g></g>\n";
@@ -188,9 +195,9 @@ inline std::string as_inkscape_svg(const Design& design, int how) {
   std::string body;
   double x = 0;
   for (const DesignPart& part : design) {
-    body += fmt::format("<g inkscape:label=\"{}\" transform=\"translate({},0)\">\n",
-                        how == 0 && !part.count.empty() ? part.name + ", " + part.count : part.name,
-                        x);
+    body +=
+        fmt::format("<g inkscape:label=\"{}\" transform=\"translate({},0)\">\n",
+                    how == 0 && !part.count.empty() ? part.name + ", " + part.count : part.name, x);
     for (std::size_t k = 0; k < part.outlines.size(); ++k) {
       std::string d = svg_data(part.outlines[k]);
       if (how == 1 && k == 0)
@@ -199,8 +206,8 @@ inline std::string as_inkscape_svg(const Design& design, int how) {
                           part.name, k == 0 ? "" : "_2", d);
     }
     for (std::size_t k = 0; how == 0 && k < part.holes.size(); ++k)
-      body += fmt::format("<path inkscape:label=\"hole {}\" d=\"{}\"/>\n", k,
-                          svg_data(part.holes[k]));
+      body +=
+          fmt::format("<path inkscape:label=\"hole {}\" d=\"{}\"/>\n", k, svg_data(part.holes[k]));
     for (const auto& fold : part.folds)
       body += "<path inkscape:label=\"fold\" d=\"" + svg_data({fold.first, fold.second}, false) +
               "\"/>\n";

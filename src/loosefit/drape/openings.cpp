@@ -353,9 +353,8 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     std::copy_if(of.begin(), of.end(), std::back_inserter(of_edges),
                  [&](int i) { return !is_cut_hole(openings[i], garment); });
     if (!of_edges.empty()) Uses(openings, of_edges, placed, box).tell(labels);
-    const bool told = std::any_of(of.begin(), of.end(), [&](int i) {
-      return openings[i].use != kinds::OpeningUse::unknown;
-    });
+    const bool told = std::any_of(
+        of.begin(), of.end(), [&](int i) { return openings[i].use != kinds::OpeningUse::unknown; });
     if (!told && of_edges.size() < of.size()) Uses(openings, of, placed, box).tell(labels);
   }
   return openings;

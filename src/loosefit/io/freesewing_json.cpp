@@ -46,9 +46,8 @@ class Reader {
       const bool grain = marker.find("grainline") != std::string::npos;
       const std::string classes = " " + attribute(path, "class") + " ";
       const auto has = [&](const char* word) { return classes.find(word) != std::string::npos; };
-      const bool fabric =
-          has(" fabric ") && !has(" sa ") && !has(" help ") && !has(" hidden ") &&
-          !has(" dashed ") && !has(" lashed ") && !has(" dotted ");
+      const bool fabric = has(" fabric ") && !has(" sa ") && !has(" help ") && !has(" hidden ") &&
+                          !has(" dashed ") && !has(" lashed ") && !has(" dotted ");
       const bool plain = classes.find_first_not_of(' ') == std::string::npos;
       const bool sewn = path_name == "seam" || fabric || plain;
       if (!fold && !grain && !sewn) {

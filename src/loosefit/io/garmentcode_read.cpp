@@ -331,8 +331,8 @@ void warn_of_unread_keys(const Node& root, std::vector<std::string>& warnings) {
   unread.note(pattern, {"panels", "stitches", "panel_order"});
   for (const auto& [name, value] : panels.value.items()) {
     const Node panel{value, panels.path, panels.file};
-    unread.note(panel, {"label", "translation", "rotation", "vertices", "edges", kClothKey,
-                        kHolesKey});
+    unread.note(panel,
+                {"label", "translation", "rotation", "vertices", "edges", kClothKey, kHolesKey});
     const Node edges = panel.at("edges");
     for (std::size_t i = 0; i < edges.value.size(); ++i)
       unread.note(edges.item(i),

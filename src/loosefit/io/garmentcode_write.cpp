@@ -190,8 +190,7 @@ std::string garmentcode_text(const pattern::Pattern& pattern) {
         "{}\n      {}: {{\n        \"label\": {},\n{}        \"translation\": {},\n"
         "        \"rotation\": {},\n        \"vertices\": {},\n        \"edges\": {}\n      }}",
         p ? "," : "", Json(panel.name).dump(), Json(panel.label).dump(),
-        cloth_line(panel.cloth) + holes_line(panel.holes),
-        numbers(translation).dump(),
+        cloth_line(panel.cloth) + holes_line(panel.holes), numbers(translation).dump(),
         numbers(euler_deg_from_rotation(to_file * panel.rotation)).dump(),
         list_lines(vertices, "        "), list_lines(edges, "        "));
   }

@@ -26,8 +26,7 @@ double turn_deg(const Vec2& a, const Vec2& b, const Vec2& c) {
 std::vector<double> places(const PanelHole& hole) {
   std::vector<double> at{0};
   for (std::size_t i = 0; i < hole.points.size(); ++i)
-    at.push_back(at.back() +
-                 (hole.points[(i + 1) % hole.points.size()] - hole.points[i]).norm());
+    at.push_back(at.back() + (hole.points[(i + 1) % hole.points.size()] - hole.points[i]).norm());
   return at;
 }
 
@@ -78,8 +77,8 @@ Vec2 point_on_rim(const PanelHole& hole, double along) {
 
 DividedHole divided_hole(const PanelHole& hole, double edge_length) {
   DividedHole divided = divided_at(hole, edge_length);
-  for (int k = 0; k < kMostHalvings && (divided.points.size() < 3 ||
-                                        first_self_crossing(divided.points).first >= 0);
+  for (int k = 0; k < kMostHalvings &&
+                  (divided.points.size() < 3 || first_self_crossing(divided.points).first >= 0);
        ++k)
     divided = divided_at(hole, edge_length /= 2);
   return divided;
@@ -89,9 +88,8 @@ std::string hole_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
                        const std::vector<PanelHole>& others) {
   if (hole.points.size() < 3 || first_self_crossing(hole.points).first >= 0)
     return "its line is not simple";
-  const auto inside = std::count_if(hole.points.begin(), hole.points.end(), [&](const Vec2& p) {
-    return inside_polygon(outline, p);
-  });
+  const auto inside = std::count_if(hole.points.begin(), hole.points.end(),
+                                    [&](const Vec2& p) { return inside_polygon(outline, p); });
   if (inside == 0) return "it does not lie in the piece";
   const double gap = gap_between(hole.points, outline);
   if (inside < static_cast<std::ptrdiff_t>(hole.points.size()) || gap < kLeastRim)
@@ -123,9 +121,8 @@ double cloth_area(const Panel& panel, int per_curve) {
 
 bool on_cloth(const Panel& panel, const std::vector<Vec2>& outline, const Vec2& p) {
   return inside_polygon(outline, p) &&
-         std::none_of(panel.holes.begin(), panel.holes.end(), [&](const PanelHole& hole) {
-           return inside_polygon(hole.points, p);
-         });
+         std::none_of(panel.holes.begin(), panel.holes.end(),
+                      [&](const PanelHole& hole) { return inside_polygon(hole.points, p); });
 }
 
 }  // namespace loosefit::pattern

@@ -14,8 +14,8 @@ struct DividedHole {
 };
 
 /// Corners of the rim that turn by more than 40 degrees stay; the parts between them are divided
-/// evenly, into segments of about `edge_length` [m], at least eight in all, more where the rim would
-/// cross itself.
+/// evenly, into segments of about `edge_length` [m], at least eight in all, more where the rim
+/// would cross itself.
 DividedHole divided_hole(const PanelHole& hole, double edge_length);
 
 /// Point of the rim as drawn, `along` [m] from its first point; beyond the last one it goes on from
@@ -25,8 +25,8 @@ Vec2 point_on_rim(const PanelHole& hole, double along);
 double rim_length(const PanelHole& hole);
 
 /// Why a hole cannot be cut into an outline that has the others already: it is no simple line of
-/// three points or more, it does not lie in the outline, or it comes nearer than 1 mm to the outline
-/// or to another hole. Empty: it can.
+/// three points or more, it does not lie in the outline, or it comes nearer than 1 mm to the
+/// outline or to another hole. Empty: it can.
 std::string hole_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
                        const std::vector<PanelHole>& others);
 

@@ -67,8 +67,8 @@ double distance_to_rims(const Rims& rims, const Vec2& p) {
   return least;
 }
 
-/// Constrained Delaunay triangulation of the rims and the points on the cloth. The points begin with
-/// those of the rims.
+/// Constrained Delaunay triangulation of the rims and the points on the cloth. The points begin
+/// with those of the rims.
 struct Triangulation {
   Cdt cdt;
   std::vector<Triangle> triangles;

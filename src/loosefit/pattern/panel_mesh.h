@@ -33,8 +33,8 @@ struct MeshQuality {
 MeshQuality mesh_quality(const PanelMesh& mesh);
 
 /// Every triangle split into four. Midpoints on an edge of the panel or on the rim of a hole are
-/// moved onto its curve at the middle of their arc. `parents[i]` are the two coarse vertices vertex i lies between, equal
-/// for a kept one; the coarse vertices keep their numbers.
+/// moved onto its curve at the middle of their arc. `parents[i]` are the two coarse vertices vertex
+/// i lies between, equal for a kept one; the coarse vertices keep their numbers.
 PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
                     std::vector<std::array<int, 2>>& parents);
 

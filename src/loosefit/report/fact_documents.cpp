@@ -49,12 +49,9 @@ Json piece_json(const pattern::Panel& panel) {
     holes.push_back({{"name", hole.name},
                      {"area_m2", pattern::signed_area(hole.points)},
                      {"rim_m", pattern::rim_length(hole)}});
-  return {{"name", panel.name},
-          {"width_m", (high - low).x()},
-          {"height_m", (high - low).y()},
-          {"area_m2", pattern::cloth_area(panel)},
-          {"edges", panel.edges.size()},
-          {"holes", holes}};
+  return {{"name", panel.name},           {"width_m", (high - low).x()},
+          {"height_m", (high - low).y()}, {"area_m2", pattern::cloth_area(panel)},
+          {"edges", panel.edges.size()},  {"holes", holes}};
 }
 
 Json seam_json(const pattern::Pattern& pattern, const pattern::Stitch& stitch) {
@@ -131,9 +128,9 @@ std::string pattern_document(const pipeline::GarmentPattern& made, const Written
   for (const pattern::Stitch& stitch : made.pattern.stitches)
     seams.push_back(seam_json(made.pattern, stitch));
   Json json = {
-      {"name", made.pattern.name}, {"about", made.about},      {"levels", levels_json(made.levels)},
-      {"pieces", pieces},          {"seams", seams},           {"details", made.details},
-      {"used", made.used},         {"unused", made.unused},    {"warnings", made.warnings}};
+      {"name", made.pattern.name}, {"about", made.about},   {"levels", levels_json(made.levels)},
+      {"pieces", pieces},          {"seams", seams},        {"details", made.details},
+      {"used", made.used},         {"unused", made.unused}, {"warnings", made.warnings}};
   add_written(json, written);
   return text_of(json);
 }

@@ -228,7 +228,8 @@ std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string&
     return {};
   }
   if (cut.open > 0)
-    notes.push_back(fmt::format("{} open lines on layer 1 beside its outline are not used", cut.open));
+    notes.push_back(
+        fmt::format("{} open lines on layer 1 beside its outline are not used", cut.open));
   Layered sewn = outline_on(block, 14, metre);
   std::vector<Outline> seams;
   if (!sewn.outline.empty()) {
@@ -241,9 +242,9 @@ std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string&
   }
   std::vector<Found> found{sewn_or_cut(std::move(cut.outline), std::move(cut.inside), seams)};
   if (!found[0].on_sew_line && !lines_on(block, 14, metre).empty())
-    notes.push_back("its sew line (layer 14) is not taken, " +
-                    (seams.empty() ? sewn.fault
-                                   : std::string("it does not lie within the boundary")));
+    notes.push_back(
+        "its sew line (layer 14) is not taken, " +
+        (seams.empty() ? sewn.fault : std::string("it does not lie within the boundary")));
   if (!found[0].on_sew_line) {
     Layered inner = outline_on(block, 8, metre);
     if (!inner.outline.empty() &&
@@ -264,8 +265,9 @@ std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string&
     else if (outline_area(loop) >= kSmallestPiece)
       found.push_back(sewn_or_cut(std::move(loop), {}, seams));
     else
-      notes.push_back("a closed line on layer 1 beside its outline is not used, it has less than "
-                      "4 cm2");
+      notes.push_back(
+          "a closed line on layer 1 beside its outline is not used, it has less than "
+          "4 cm2");
   }
   return found;
 }
@@ -299,10 +301,9 @@ void find_holes(const DxfBlock& block, const Found& found, double metre, DrawnPi
   taken.resize(cutouts.size(), false);
   for (std::size_t k = 0; k < cutouts.size(); ++k) {
     const std::vector<Vec2> around = polygon(found.outline);
-    const bool here =
-        std::any_of(cutouts[k].begin(), cutouts[k].end(), [&](const OutlinePoint& p) {
-          return pattern::inside_polygon(around, p.at) || distance_to(around, p.at) < kChainGap;
-        });
+    const bool here = std::any_of(cutouts[k].begin(), cutouts[k].end(), [&](const OutlinePoint& p) {
+      return pattern::inside_polygon(around, p.at) || distance_to(around, p.at) < kChainGap;
+    });
     if (here && !taken[k]) cut(cutouts[k], "cutout"), taken[k] = true;
   }
   if (open > 0 && piece.holes.empty())
@@ -315,9 +316,10 @@ void find_holes(const DxfBlock& block, const Found& found, double metre, DrawnPi
     if (const std::string text = hole_name(block, loop, metre); !text.empty())
       cut(loop, text);
     else
-      piece.notes.push_back("a closed line of " + square_centimetres(loop) +
-                            " on layer 8 (internal lines) is drawn on it and not cut; cutouts stand "
-                            "on layer 11");
+      piece.notes.push_back(
+          "a closed line of " + square_centimetres(loop) +
+          " on layer 8 (internal lines) is drawn on it and not cut; cutouts stand "
+          "on layer 11");
   }
 }
 
@@ -397,8 +399,7 @@ std::vector<DrawnPiece> pieces_of_block(const DxfPiece& piece, double metre) {
           length > longest && belongs(k, (mark.front() + mark.back()) / 2))
         longest = length, one.grain = Axis(mark.front(), mark.back());
     if (!one.grain)
-      one.notes.push_back(
-          "it has no grain line (layer 7): the warp is taken along the file's y");
+      one.notes.push_back("it has no grain line (layer 7): the warp is taken along the file's y");
     std::vector<std::string> texts = piece.texts;
     texts.insert(texts.end(), {piece.annotation, piece.quantity});
     if (one.folds.empty())

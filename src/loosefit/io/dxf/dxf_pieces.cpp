@@ -86,8 +86,8 @@ bool says_nothing_of_cloth(const std::string& word) {
 bool is_known_text(const std::string& text) {
   const std::string key = lower(trimmed(text.substr(0, text.find(':'))));
   if (counts_pieces(key)) return true;
-  for (const char* known : {"piece name", "size", "category", "fabric", "material",
-                            "annotation", "style name", "sample size", "units"})
+  for (const char* known : {"piece name", "size", "category", "fabric", "material", "annotation",
+                            "style name", "sample size", "units"})
     if (key == known) return true;
   return false;
 }

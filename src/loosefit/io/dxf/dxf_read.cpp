@@ -177,9 +177,8 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::st
 /// Blocks and lines that are no pieces.
 void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, LeftOut& left) {
   for (const DxfBlock& block : document.blocks) {
-    const bool taken =
-        std::any_of(style.pieces.begin(), style.pieces.end(),
-                    [&](const DxfPiece& piece) { return piece.block == &block; });
+    const bool taken = std::any_of(style.pieces.begin(), style.pieces.end(),
+                                   [&](const DxfPiece& piece) { return piece.block == &block; });
     const bool closed =
         std::any_of(block.entities.begin(), block.entities.end(),
                     [](const DxfEntity& e) { return e.closed && e.points.size() > 2; });
@@ -197,9 +196,10 @@ void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, L
     if (closed++ == 0) first = e.line;
   }
   if (closed > 0)
-    left.tell(fmt::format("{} closed lines outside of blocks, the first at line {}: left out, "
-                          "pieces are blocks",
-                          closed, first));
+    left.tell(
+        fmt::format("{} closed lines outside of blocks, the first at line {}: left out, "
+                    "pieces are blocks",
+                    closed, first));
   if (loose > closed)
     left.unused.push_back(fmt::format("lines outside of blocks: {}", loose - closed));
 }
@@ -266,8 +266,7 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   for (const DxfPiece* piece : pieces) {
     const PieceCount count = count_of(*piece, result.warnings);
     for (DrawnPiece& one : pieces_of_block(*piece, units.metre))
-      drawn.push_back(
-          {std::move(one), count, fmt::format("block at line {}", piece->block->line)});
+      drawn.push_back({std::move(one), count, fmt::format("block at line {}", piece->block->line)});
   }
   std::vector<DrawnPiece*> pointers;
   for (CountedPiece& one : drawn) pointers.push_back(&one.piece);

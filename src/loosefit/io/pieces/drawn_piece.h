@@ -16,10 +16,10 @@ using Axis = std::pair<Vec2, Vec2>;
 /// One piece as a file draws it, whatever its format: metres, y up, seen from the outside.
 struct DrawnPiece {
   std::string name;
-  Outline outline;            ///< cleaned; empty: it is none
-  std::vector<std::vector<Vec2>> folds;   ///< lines that mark where a half piece goes on beyond them
+  Outline outline;                       ///< cleaned; empty: it is none
+  std::vector<std::vector<Vec2>> folds;  ///< lines that mark where a half piece goes on beyond them
   std::vector<pattern::PanelHole> holes;  ///< lines that are cut out of it
-  std::optional<Axis> grain;  ///< the warp; none: y
+  std::optional<Axis> grain;              ///< the warp; none: y
   std::vector<Vec2> notches;
   std::vector<std::string> notes;  ///< what had to be assumed for it
   std::string fault;               ///< why it has no outline

@@ -32,15 +32,15 @@ struct FreesewingPart {
   bool has_outline() const;
 };
 
-/// The pieces of a part. Its largest line of class "fabric" is the outline, open or closed; in parts
-/// without one the largest of no class. Further closed ones of class "fabric" are holes where they
-/// lie in an outline, and pieces of their own beside it; what else there is is told. FreeSewing draws
-/// front and back as halves from the line x = 0 of the part on, as "cut on fold" says where all marks
-/// are drawn. Without these, a part called front or back whose outline begins with a straight line
-/// there is one too. How often it is cut, its texts say (quantity.h); without them sleeves, cuffs and
-/// legs are cut for both hands. A part that names a hand, as `frontLeft`, is whole and cut once where
-/// the other hand's stands in the file as well.
-/// \param marked the file draws such marks \param parts names of all parts of the file
+/// The pieces of a part. Its largest line of class "fabric" is the outline, open or closed; in
+/// parts without one the largest of no class. Further closed ones of class "fabric" are holes where
+/// they lie in an outline, and pieces of their own beside it; what else there is is told.
+/// FreeSewing draws front and back as halves from the line x = 0 of the part on, as "cut on fold"
+/// says where all marks are drawn. Without these, a part called front or back whose outline begins
+/// with a straight line there is one too. How often it is cut, its texts say (quantity.h); without
+/// them sleeves, cuffs and legs are cut for both hands. A part that names a hand, as `frontLeft`,
+/// is whole and cut once where the other hand's stands in the file as well. \param marked the file
+/// draws such marks \param parts names of all parts of the file
 std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool marked,
                                            const std::set<std::string>& parts, LeftOut& left);
 

@@ -23,7 +23,8 @@ void LeftOut::count(const std::string& kind, const std::string& name) {
                             [&](const Kind& one) { return one.kind == kind; });
   if (found == counted_.end()) found = counted_.insert(found, Kind{kind, 0, {}});
   ++found->number;
-  if (!name.empty() && found->names.size() <= kMostNames) found->names.push_back(printable(name, 60));
+  if (!name.empty() && found->names.size() <= kMostNames)
+    found->names.push_back(printable(name, 60));
 }
 
 void LeftOut::sum_up() {

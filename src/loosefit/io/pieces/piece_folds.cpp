@@ -13,11 +13,11 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kOneLine = 2e-3;         // apart from each other are marks of one fold [m]
-constexpr double kRightAngle = 0.02;      // cosine of what still is one
-constexpr double kArrowHead = 0.25;       // of the longest mark: shorter ones are heads of its arrow
-constexpr std::size_t kMostNodes = 100;   // of a mark whose sides are tried
-constexpr double kSymmetric = 2e-3;       // between a hole and its image [m]
+constexpr double kOneLine = 2e-3;        // apart from each other are marks of one fold [m]
+constexpr double kRightAngle = 0.02;     // cosine of what still is one
+constexpr double kArrowHead = 0.25;      // of the longest mark: shorter ones are heads of its arrow
+constexpr std::size_t kMostNodes = 100;  // of a mark whose sides are tried
+constexpr double kSymmetric = 2e-3;      // between a hole and its image [m]
 
 Vec2 across_of(const Axis& axis) {
   const Vec2 along = (axis.second - axis.first).normalized();
@@ -73,7 +73,8 @@ std::vector<Mark> fold_lines(const DrawnPiece& piece) {
       all.push_back(line);
     }
   }
-  // Those on the outline come first, since one beside it may be a duplicate or the head of an arrow.
+  // Those on the outline come first, since one beside it may be a duplicate or the head of an
+  // arrow.
   std::stable_sort(all.begin(), all.end(), [](const Mark& a, const Mark& b) {
     return std::pair(!a.on_outline, -length_of(a.axis)) <
            std::pair(!b.on_outline, -length_of(b.axis));
@@ -160,8 +161,7 @@ Unfolded unfold_piece(DrawnPiece& piece) {
       case Fold::unfolded: {
         piece.outline = cleaned(std::move(piece.outline));
         unfold_holes(piece, line.axis, result.notes);
-        for (const Outline& loop : within)
-          piece.holes.push_back({"inner hole", points_of(loop)});
+        for (const Outline& loop : within) piece.holes.push_back({"inner hole", points_of(loop)});
         const Vec2 across = across_of(line.axis);
         for (std::size_t i = 0, n = piece.notches.size(); i < n; ++i)
           if (const double d = across.dot(piece.notches[i] - a); std::abs(d) > kOnAxis)

@@ -56,8 +56,9 @@ enum class Fold { unfolded, whole, beside };
 
 /// Unfolds a half piece: the parts of the outline along the axis from a to b go, the rest is
 /// mirrored and joined; edges that meet at the fold without a kink become one. Where the outline
-/// leaves the axis between two such parts, a hole closes, which goes to `holes`. `whole`: the outline
-/// lies on both sides, the line is one of symmetry; `beside`: no part of the outline lies on it.
+/// leaves the axis between two such parts, a hole closes, which goes to `holes`. `whole`: the
+/// outline lies on both sides, the line is one of symmetry; `beside`: no part of the outline lies
+/// on it.
 Fold unfold(Outline& loop, const Vec2& a, const Vec2& b, std::vector<Outline>& holes);
 
 }  // namespace loosefit::io

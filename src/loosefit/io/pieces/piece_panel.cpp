@@ -16,7 +16,7 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kNotchReach = 0.03;  // from a notch to the outline: a wide allowance [m]
+constexpr double kNotchReach = 0.03;    // from a notch to the outline: a wide allowance [m]
 constexpr double kSmallestHole = 4e-4;  // smaller ones the mesh of a garment has no room for [m²]
 
 pattern::Panel panel_of(const Outline& loop) {

@@ -45,8 +45,8 @@ std::vector<Token> tokens_of(const std::string& text) {
     Token token;
     token.begin = i;
     // The sign × is no letter.
-    const bool times = c == 0xc3 && i + 1 < text.size() &&
-                       static_cast<unsigned char>(text[i + 1]) == 0x97;
+    const bool times =
+        c == 0xc3 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) == 0x97;
     if (times) {
       token.text = "x", token.kind = Token::Kind::word, i += 2;
     } else if (std::isdigit(c)) {
@@ -81,13 +81,20 @@ bool is_cut_word(const std::string& w) {
                        "corte", "cant", "aantal", "pieces", "pcs", "stk"});
 }
 bool is_piece_word(const std::string& w) {
-  return is_one_of(w, {"piece", "pieces", "pc", "pcs", "stk", "st\xc3\xbc" "ck", "stueck", "mal",
-                       "pezzi", "piezas", "pi\xc3\xa8" "ces", "fois", "veces", "volte", "pe\xc3\xa7" "as",
+  return is_one_of(w, {"piece", "pieces", "pc", "pcs", "stk",
+                       "st\xc3\xbc"
+                       "ck",
+                       "stueck", "mal", "pezzi", "piezas",
+                       "pi\xc3\xa8"
+                       "ces",
+                       "fois", "veces", "volte",
+                       "pe\xc3\xa7"
+                       "as",
                        "keer", "times", "off"});
 }
 bool is_pair_word(const std::string& w) {
-  return is_one_of(w, {"pair", "pairs", "paar", "paare", "paire", "paires", "pares", "paio", "paia",
-                       "pr"});
+  return is_one_of(
+      w, {"pair", "pairs", "paar", "paare", "paire", "paires", "pares", "paio", "paia", "pr"});
 }
 bool is_mirror_word(const std::string& w) {
   return begins_as(w, {"mirror", "gegengleich", "gespiegelt", "spiegel", "opposite", "revers",
@@ -142,9 +149,9 @@ class Finder {
   std::optional<Found> at(std::size_t i) const {
     if (is_word(i) && is_cut_word(tokens_[i].text)) {
       std::size_t k = i + 1;
-      while (k < tokens_.size() && (tokens_[k].text == ":" || tokens_[k].text == "=" ||
-                                    tokens_[k].text == "." || is_cut_word(tokens_[k].text) ||
-                                    is_one_of(tokens_[k].text, {"a", "of", "x", "je"})))
+      while (k < tokens_.size() &&
+             (tokens_[k].text == ":" || tokens_[k].text == "=" || tokens_[k].text == "." ||
+              is_cut_word(tokens_[k].text) || is_one_of(tokens_[k].text, {"a", "of", "x", "je"})))
         ++k;
       if (is_number(k) && !is_fraction(k)) return with_unit(i, k, tokens_[k].number);
       if (is_word(k) && is_pair_word(tokens_[k].text)) return Found{i, k, 1, true};
@@ -205,8 +212,8 @@ class Finder {
       if (mirror || alike) last = k;
     }
     PieceCount count;
-    count.said = text_.substr(tokens_[found.first].begin,
-                              tokens_[last].end - tokens_[found.first].begin);
+    count.said =
+        text_.substr(tokens_[found.first].begin, tokens_[last].end - tokens_[found.first].begin);
     const int n = found.number;
     if (found.pairs) {
       count.as_drawn = count.mirrored = n;
@@ -223,7 +230,9 @@ class Finder {
     }
     if (rest) {
       *rest = text_.substr(0, tokens_[found.first].begin) + text_.substr(tokens_[last].end);
-      const auto is_end = [](char c) { return std::string(" ,;:-_()/\t").find(c) != std::string::npos; };
+      const auto is_end = [](char c) {
+        return std::string(" ,;:-_()/\t").find(c) != std::string::npos;
+      };
       while (!rest->empty() && is_end(rest->back())) rest->pop_back();
       rest->erase(0, rest->find_first_not_of(" ,;:-_)/\t"));
     }
@@ -257,8 +266,7 @@ std::optional<PieceCount> read_quantity(const std::string& value) {
     return count;
   };
   if (t.size() == 1 && t[0].number >= 0) return of_number(t[0].number);
-  const bool no_fraction =
-      t.size() == 3 && t[2].text.find_first_not_of('0') == std::string::npos;
+  const bool no_fraction = t.size() == 3 && t[2].text.find_first_not_of('0') == std::string::npos;
   if (signed_by({".", ","}) && no_fraction && t[0].number > 0) {
     // A pair of 1 and 0 is the number 1; a pair of 2 and 0 is not the number 2.
     if (t[0].number % 2 == 0)
@@ -291,10 +299,30 @@ bool counts_pieces(const std::string& key) {
   for (const char c : key)
     if (c != ' ' && c != '_' && c != '-' && c != '\t')
       word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return is_one_of(word, {"quantity", "quantities", "qty", "cut", "cutquantity", "cutqty", "cuts",
-                          "anzahl", "menge", "st\xc3\xbc" "ckzahl", "stueckzahl", "quantite",
-                          "quantit\xc3\xa9", "cantidad", "quantita", "quantit\xc3\xa0", "quantidade",
-                          "aantal", "pieces", "pcs", "count", "piececount", "numberofpieces"});
+  return is_one_of(word, {"quantity",
+                          "quantities",
+                          "qty",
+                          "cut",
+                          "cutquantity",
+                          "cutqty",
+                          "cuts",
+                          "anzahl",
+                          "menge",
+                          "st\xc3\xbc"
+                          "ckzahl",
+                          "stueckzahl",
+                          "quantite",
+                          "quantit\xc3\xa9",
+                          "cantidad",
+                          "quantita",
+                          "quantit\xc3\xa0",
+                          "quantidade",
+                          "aantal",
+                          "pieces",
+                          "pcs",
+                          "count",
+                          "piececount",
+                          "numberofpieces"});
 }
 
 }  // namespace loosefit::io

@@ -16,7 +16,7 @@ namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kMostShapes = 100'000;
-constexpr int kMostUses = 8;  // of uses within each other
+constexpr int kMostUses = 8;             // of uses within each other
 constexpr std::size_t kMostWords = 500;  // bytes of a text
 constexpr double kInch = 25.4;
 
@@ -180,8 +180,8 @@ class Reader {
       std::vector<int> inner = groups;
       inner.push_back(static_cast<int>(document_.groups.size()));
       document_.groups.push_back({e.attribute("id"), e.attribute("inkscape:label"),
-                                  e.attribute("inkscape:groupmode") == "layer", place, quantity_of(e),
-                                  said_of(e)});
+                                  e.attribute("inkscape:groupmode") == "layer", place,
+                                  quantity_of(e), said_of(e)});
       for (const XmlElement& child : e.children) element(child, place, inner, uses);
       return;
     }
@@ -288,8 +288,7 @@ class Reader {
       run.closed = e.name == "polygon";
       shape.runs = {run};
     } else {
-      if (e.name == "image" || e.name == "symbol" || e.name == "foreignObject")
-        ++left_[e.name];
+      if (e.name == "image" || e.name == "symbol" || e.name == "foreignObject") ++left_[e.name];
       return false;
     }
     return !shape.runs.empty();

@@ -31,9 +31,9 @@ struct SvgText {
 
 struct SvgGroup {
   std::string id, label;
-  bool layer = false;  ///< a layer of Inkscape
-  SvgAffine place;     ///< of what is in it
-  std::string quantity = {};           ///< as those of SvgShape
+  bool layer = false;         ///< a layer of Inkscape
+  SvgAffine place;            ///< of what is in it
+  std::string quantity = {};  ///< as those of SvgShape
   std::vector<std::string> said = {};
 };
 

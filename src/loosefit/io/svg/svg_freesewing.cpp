@@ -83,9 +83,8 @@ std::vector<CountedPiece> freesewing_pieces(const SvgDocument& document, double 
     const bool other = std::any_of(std::begin(kOtherLines), std::end(kOtherLines),
                                    [&](const char* c) { return has_class(shape, c); });
     if ((!fabric && !plain) || other) {
-      left.count(has_class(shape, "sa")
-                     ? std::string("seam allowances")
-                     : "lines of class \"" + printable(shape.classes, 60) + '"');
+      left.count(has_class(shape, "sa") ? std::string("seam allowances")
+                                        : "lines of class \"" + printable(shape.classes, 60) + '"');
       continue;
     }
     for (const SvgRun& run : shape.runs) {

@@ -26,8 +26,8 @@ std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
 }
 
 /// The texts that stand in a piece or beside it.
-std::vector<std::string> texts_of(const SvgDocument& document, double unit,
-                                  const SvgPlaces& places, int piece) {
+std::vector<std::string> texts_of(const SvgDocument& document, double unit, const SvgPlaces& places,
+                                  int piece) {
   std::vector<std::string> texts;
   for (const SvgText& text : document.texts) {
     std::optional<Vec2> at;
@@ -68,9 +68,8 @@ int SvgPlaces::piece_of(const std::vector<int>& round, const std::optional<Vec2>
   return nearest;
 }
 
-void give_marks(const SvgDocument& document, double unit,
-                const std::vector<const SvgShape*>& marks, const SvgPlaces& places,
-                std::vector<CountedPiece>& pieces, LeftOut& left) {
+void give_marks(const SvgDocument& document, double unit, const std::vector<const SvgShape*>& marks,
+                const SvgPlaces& places, std::vector<CountedPiece>& pieces, LeftOut& left) {
   for (const SvgShape* mark : marks) {
     const pattern::PieceWords own = words_of_shape(*mark), group = words_of_group(document, *mark);
     const bool grain = own.grain || (!own.fold && !own.notch && group.grain);
@@ -81,7 +80,8 @@ void give_marks(const SvgDocument& document, double unit,
     const int p = places.piece_of(mark->groups, at);
     if (p < 0 || ((grain || fold) && !axis)) {
       if (fold)
-        left.tell("fold line " + called_line(*mark) + ": it belongs to no piece, nothing is unfolded");
+        left.tell("fold line " + called_line(*mark) +
+                  ": it belongs to no piece, nothing is unfolded");
       else
         left.count("marks that belong to no piece", own_name(mark->label, mark->id));
     } else if (grain) {
@@ -100,8 +100,7 @@ void give_counts(const SvgDocument& document, double unit,
                  std::vector<CountedPiece>& pieces) {
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     DrawnPiece& piece = pieces[p].piece;
-    const std::vector<std::string> texts =
-        texts_of(document, unit, places, static_cast<int>(p));
+    const std::vector<std::string> texts = texts_of(document, unit, places, static_cast<int>(p));
     std::vector<std::string> labels;
     std::optional<PieceCount> known;
     const auto take = [&](const std::optional<PieceCount>& count) {
@@ -110,8 +109,7 @@ void give_counts(const SvgDocument& document, double unit,
         known = count;
       else if (count->as_drawn != known->as_drawn || count->mirrored != known->mirrored)
         piece.notes.push_back("it is said to be cut as \"" + printable(known->said) +
-                              "\" and as \"" + printable(count->said) +
-                              "\": the first is taken");
+                              "\" and as \"" + printable(count->said) + "\": the first is taken");
     };
     const auto read = [&](const std::string& quantity) {
       if (quantity.empty()) return;

@@ -19,13 +19,12 @@ struct SvgPlaces {
 
 /// Gives grain lines, fold lines and notches to the pieces that they lie in or beside; tells those
 /// that belong to none. \param unit of the drawing [m]
-void give_marks(const SvgDocument& document, double unit,
-                const std::vector<const SvgShape*>& marks, const SvgPlaces& places,
-                std::vector<CountedPiece>& pieces, LeftOut& left);
+void give_marks(const SvgDocument& document, double unit, const std::vector<const SvgShape*>& marks,
+                const SvgPlaces& places, std::vector<CountedPiece>& pieces, LeftOut& left);
 
 /// Reads how often pieces are cut: of attributes, titles, labels and texts of a piece, then of the
-/// groups round it, the first one that says so. Tells texts that speak of a fold where no line marks
-/// one. \param shapes per piece; null: it is made of several
+/// groups round it, the first one that says so. Tells texts that speak of a fold where no line
+/// marks one. \param shapes per piece; null: it is made of several
 void give_counts(const SvgDocument& document, double unit,
                  const std::vector<const SvgShape*>& shapes, const SvgPlaces& places,
                  std::vector<CountedPiece>& pieces);

@@ -11,16 +11,16 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kWholePage = 0.95;    // of its width and height
-constexpr double kInHole = 1e-3;       // a hole lies in a piece with a point that is so deep in it [m]
-constexpr double kTextBeside = 0.03;   // of a text from the line that it names [m]
+constexpr double kWholePage = 0.95;  // of its width and height
+constexpr double kInHole = 1e-3;  // a hole lies in a piece with a point that is so deep in it [m]
+constexpr double kTextBeside = 0.03;  // of a text from the line that it names [m]
 
 bool is_rectangle(const SvgLine& run) {
   return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
 }
 
-/// Whether a rectangle covers several other lines. Nearly as large are only other sizes of it, which
-/// lie in each other.
+/// Whether a rectangle covers several other lines. Nearly as large are only other sizes of it,
+/// which lie in each other.
 bool covers_others(const SvgDocument& document, const std::vector<SvgLine>& closed, std::size_t i) {
   int others = 0, nearly_as_large = 0;
   for (std::size_t j = 0; j < closed.size() && others + nearly_as_large < 2; ++j) {

@@ -24,7 +24,7 @@ constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
-constexpr std::size_t kMostInner = 8;    // lines that one warning names
+constexpr std::size_t kMostInner = 8;  // lines that one warning names
 
 /// Without what says how often it is cut; empty: it says nothing else.
 std::string clean_name(std::string name) {
@@ -49,7 +49,8 @@ class Sorter {
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (within_[i] < 0) ++pieces_of_group[innermost_group(*closed_[i].shape)];
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (within_[i] < 0) pieces.push_back(piece_of_outline(i, pieces_of_group, pieces.size(), left));
+      if (within_[i] < 0)
+        pieces.push_back(piece_of_outline(i, pieces_of_group, pieces.size(), left));
     chain_groups(pieces, pieces_of_group);
     give_marks(document_, unit_, marks_, places_, pieces, left);
     give_counts(document_, unit_, shapes_, places_, pieces);
@@ -96,8 +97,8 @@ class Sorter {
     return made;
   }
 
-  /// Lines within a piece: holes where they are called so, or are drawn in one path with its outline;
-  /// of several sizes those of the one that is taken. All others are told.
+  /// Lines within a piece: holes where they are called so, or are drawn in one path with its
+  /// outline; of several sizes those of the one that is taken. All others are told.
   void cut_holes(DrawnPiece& piece, std::size_t outer, std::size_t cut, const SvgLine* outline,
                  const std::vector<std::size_t>& others, LeftOut& left) const {
     std::vector<std::size_t> holes;
@@ -108,8 +109,8 @@ class Sorter {
           std::find(others.begin(), others.end(), k) != others.end() || k == cut;
       if (k == outer || outermost(k) != outer || &line == outline || outline_of_size) continue;
       const pattern::PieceWords words = words_of_shape(*line.shape);
-      const bool one_path = line.shape == closed_[cut].shape &&
-                            line.area <= kShareOfPiece * closed_[cut].area;
+      const bool one_path =
+          line.shape == closed_[cut].shape && line.area <= kShareOfPiece * closed_[cut].area;
       if (is_called_hole(document_, *line.shape) || one_path || !hole_names_[k].empty()) {
         holes.push_back(k);
       } else if (words.seam) {
@@ -207,8 +208,9 @@ class Sorter {
         if (one.area >= kSmallestPiece)
           closed_.push_back(std::move(one));
         else if (is_called_hole(document_, shape))
-          left.tell("closed line " + called_line(shape) +
-                    ": not cut, it has less than 4 cm2, for which the mesh of a garment has no room");
+          left.tell(
+              "closed line " + called_line(shape) +
+              ": not cut, it has less than 4 cm2, for which the mesh of a garment has no room");
         else
           left.count("closed lines of less than 4 cm2", own_name(shape.label, shape.id));
       } else {
