@@ -12,6 +12,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/base/types.h"
 #include "loosefit/kinds/registry.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pipeline/make_garment_pattern.h"
 #include "loosefit/report/fact_documents.h"
@@ -105,10 +106,13 @@ void print_pieces(const pattern::Pattern& pattern) {
     const std::vector<Vec2> outline = pattern::outline_polygon(panel);
     Vec2 low = outline[0], high = outline[0];
     for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-    const double area = pattern::signed_area(outline);
+    const double area = pattern::cloth_area(panel);
     total += area;
     fmt::print("{:<18} {:>10.1f} {:>11.1f} {:>10.1f} {:>7}\n", terminal_line(panel.name),
                1000 * (high - low).x(), 1000 * (high - low).y(), 1e4 * area, panel.edges.size());
+    for (const pattern::PanelHole& hole : panel.holes)
+      fmt::print("{:<18} {:>10} {:>11} {:>10.1f}\n", "  hole " + terminal_line(hole.name), "", "",
+                 -1e4 * pattern::signed_area(hole.points));
   }
   fmt::print("{} pieces, {:.4f} m2\n\n", pattern.panels.size(), total);
 }
@@ -169,7 +173,8 @@ void print_words(const pipeline::GarmentPattern& made) {
   print_pieces(made.pattern);
   print_seams(made.pattern);
   if (!made.details.empty()) fmt::print("\n{}\n", made.details);
-  if (!made.unused.empty()) fmt::print("\n");
+  if (!made.used.empty() || !made.unused.empty()) fmt::print("\n");
+  print_lines("used of the file:", made.used);
   print_lines("not used:", made.unused);
 }
 

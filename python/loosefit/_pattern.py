@@ -24,6 +24,8 @@ class Panel:
     area_m2: float
     #: (k, 2) closed outline, counter-clockwise, first point once, m.
     outline: Floats
+    #: Hole name to (k, 2) its rim, counter-clockwise, first point once, m.
+    holes: dict[str, Floats]
     #: Edge name to (65, 2) points along it, even in arc length, ends included, m.
     edges: dict[str, Floats]
     #: (3,) where the pattern places the origin of the piece, world frame, m.

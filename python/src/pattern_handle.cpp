@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "beside_python.h"
 #include "loosefit/io/scenario_place.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_pattern.h"
@@ -45,8 +46,12 @@ py::list panels(Self self) {
     py::dict entry;
     entry["name"] = panel.name;
     entry["part"] = panel.part;
-    entry["area_m2"] = pattern::signed_area(outline);
+    py::dict holes;
+    for (const pattern::PanelHole& hole : panel.holes)
+      holes[hole.name.c_str()] = owned(hole.points);
+    entry["area_m2"] = pattern::cloth_area(panel);
     entry["outline"] = owned(outline);
+    entry["holes"] = holes;
     entry["edges"] = edges;
     entry["translation"] = owned(std::vector<double>(
         panel.translation.data(), panel.translation.data() + panel.translation.size()));

@@ -389,7 +389,7 @@ TEST(Dxf, WhichEndOfTheGrainLineIsDrawnFirstDoesNotMatter) {
     EXPECT_LT(panel.vertices[panel.edges[1].start].y(), extent(panel).y() / 2) << panel.name;
 }
 
-TEST(Dxf, LinesBesideTheOutlineAreTold) {
+TEST(Dxf, LinesBesideTheOutlineArePiecesOrTold) {
   const auto square = [](DxfText& d) {
     d.polyline({{0, 0}, {500, 0}, {500, 400}, {0, 400}}, true);
   };
@@ -399,9 +399,10 @@ TEST(Dxf, LinesBesideTheOutlineAreTold) {
                                                  d.polyline({{0, 500}, {100, 500}, {100, 600}});
                                                }),
                                                "p.dxf");
-  ASSERT_EQ(second.pattern.panels.size(), 1u);
+  ASSERT_EQ(second.pattern.panels.size(), 2u);
   EXPECT_NEAR(area(second.pattern.panels[0]), 0.2, 1e-12);
-  EXPECT_TRUE(any_has(second.warnings, "piece P: layer 1 has 1 closed and 1 open lines beside"));
+  EXPECT_NEAR(area(second.pattern.panels[1]), 0.03, 1e-12);
+  EXPECT_TRUE(any_has(second.warnings, "piece P: 1 open lines on layer 1 beside its outline"));
   // The same outline once more is no other one.
   const PatternFile twice = parse_dxf_pattern(one_piece([&](DxfText& d) {
                                                 square(d);

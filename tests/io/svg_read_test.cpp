@@ -74,7 +74,8 @@ TEST(FreesewingSvg, PartsThatAreEmptyAndLinesThatAreInNoneAreTold) {
   const PatternFile file = read(text);
   EXPECT_EQ(file.pattern.panels.size(), 2u);
   EXPECT_TRUE(tells(file.unused, "part tee.sleeve: it is empty"));
-  EXPECT_TRUE(tells(file.unused, "lines of class \"fabric\" in no part: 1"));
+  EXPECT_TRUE(tells(file.warnings, "line of class \"fabric\" at line"));
+  EXPECT_TRUE(tells(file.unused, "it stands in no part"));
 }
 
 TEST(FreesewingSvg, SaysTheSameAsItsJson) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -37,6 +38,15 @@ constexpr double kUsualChest = 0.55;  ///< of the stature, where the body does n
 struct Pair {
   int left, right;
 };
+
+/// Whether no vertex of the rim is on an edge of a piece.
+bool is_cut_hole(const Opening& opening, const garment::Garment& garment) {
+  return std::none_of(
+      garment.edge_chains.begin(), garment.edge_chains.end(), [&](const auto& chain) {
+        return std::find(chain.vertices.begin(), chain.vertices.end(), opening.loop.front()) !=
+               chain.vertices.end();
+      });
+}
 
 /// Label that most vertices' pieces have.
 std::string panel_label(const std::vector<int>& loop, const garment::Garment& garment,
@@ -455,7 +465,17 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
   geometry::Box3 box;
   for (const Vec3& p : placed) box.extend(p);
   if (tell_by_kind(openings, garment, pattern)) return openings;
-  for (const auto& [root, of] : of_piece) Uses(openings, of, placed, box).tell(labels);
+  for (const auto& [root, of] : of_piece) {
+    // A hole cut into a piece is for nothing where the other openings say what they are for without
+    // it; else it may be the neck.
+    std::vector<int> of_edges;
+    std::copy_if(of.begin(), of.end(), std::back_inserter(of_edges),
+                 [&](int i) { return !is_cut_hole(openings[i], garment); });
+    if (!of_edges.empty()) Uses(openings, of_edges, placed, box).tell(labels);
+    const bool told = std::any_of(
+        of.begin(), of.end(), [&](int i) { return openings[i].use != kinds::OpeningUse::unknown; });
+    if (!told && of_edges.size() < of.size()) Uses(openings, of, placed, box).tell(labels);
+  }
   return openings;
 }
 

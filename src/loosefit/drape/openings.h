@@ -44,7 +44,8 @@ bool is_upper_end(const Opening& a, const Opening& b);
 /// lowest in the middle, a smaller one beside the middle that comes up to the shoulder is the only
 /// armhole, where the third comes down beside it. Cloth `of_legs` has no neck and no armholes:
 /// holes at its sides between its ends are slits, for nothing. An edge that runs from top to bottom
-/// is an open front. Holes that no hand goes through (8 cm) are left out.
+/// is an open front. A hole cut into a piece is for nothing where the other openings say without it
+/// what they are for. Holes that no hand goes through (8 cm) are left out.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern);
 

@@ -30,6 +30,12 @@ struct Checker {
   void inside(const std::string& key, const Vec2& point) const {
     const std::vector<Vec2> outline = pattern::outline_polygon(panel);
     if (!point.allFinite()) fail(key, "a coordinate that is not finite", "metres");
+    for (const pattern::PanelHole& hole : panel.holes)
+      if (pattern::inside_polygon(hole.points, point))
+        fail(key,
+             fmt::format("({:.4f}, {:.4f}) m, in the hole \"{}\" of panel {}", point.x(), point.y(),
+                         printable(hole.name), panel.name),
+             "a point on the cloth");
     const Vec2 nearest = pattern::closest_on_polygon(outline, point);
     if (pattern::inside_polygon(outline, point) || (nearest - point).norm() < 1e-9) return;
     fail(

@@ -12,7 +12,6 @@
 #include "loosefit/io/pieces/piece_collector.h"
 #include "loosefit/io/svg/svg_path.h"
 #include "loosefit/io/text_file.h"
-#include "loosefit/pattern/outline.h"
 
 namespace loosefit::io {
 namespace {
@@ -31,41 +30,54 @@ class Reader {
   FreesewingPart part(const Json& j, const std::string& name, const std::string& at) {
     FreesewingPart part;
     part.name = name.substr(0, 100);
+    part.place = "part " + printable(part.name);
     part.middle = {Vec2(0, 0), Vec2(0, 1)};
     const Json& paths = object(j, "paths", at);
-    double largest = 0;
     for (const auto& [path_name, path] : paths.items()) {
       const std::string here = at + ".paths." + printable(path_name, 40);
       if (!path.is_object()) fail(here, "no object", "a path");
-      if (flag(path, "hidden")) continue;
-      const std::string marker = attribute(path, "marker-start");
+      if (flag(path, "hidden")) {
+        left_.count("hidden paths", path_name);
+        continue;
+      }
+      add_text(path, part.texts);
+      const std::string marker = attribute(path, "marker-start") + attribute(path, "marker-end");
       const bool fold = marker.find("cutonfold") != std::string::npos;
       const bool grain = marker.find("grainline") != std::string::npos;
       const std::string classes = " " + attribute(path, "class") + " ";
       const auto has = [&](const char* word) { return classes.find(word) != std::string::npos; };
-      const bool sewn = path_name == "seam" ||
-                        (has(" fabric ") && !has(" sa ") && !has(" help ") && !has(" dashed "));
+      const bool fabric = has(" fabric ") && !has(" sa ") && !has(" help ") && !has(" hidden ") &&
+                          !has(" dashed ") && !has(" lashed ") && !has(" dotted ");
+      const bool plain = classes.find_first_not_of(' ') == std::string::npos;
+      const bool sewn = path_name == "seam" || fabric || plain;
       if (!fold && !grain && !sewn) {
-        ++left_;
+        left_.count(has(" sa ") ? std::string("seam allowances")
+                                : "paths of class \"" + trimmed(classes) + '"',
+                    path_name);
         continue;
       }
-      const SvgRun run = read_ops(path, here);
-      SampledRun line = sampled(run, kTolerance);
-      for (std::vector<Vec2>* points : {&line.points, &line.nodes})
-        for (Vec2& p : *points) p = Vec2(kMm * p.x(), -kMm * p.y());
-      if (fold || grain) {
-        const Axis axis(line.points.front(), line.points.back());
-        if ((axis.second - axis.first).norm() > kSamePoint) (fold ? part.fold : part.grain) = axis;
-        marked_ = true;
-        continue;
+      for (const SvgRun& run : read_ops(path, here)) {
+        SampledRun line = sampled(run, kTolerance);
+        for (std::vector<Vec2>* points : {&line.points, &line.nodes})
+          for (Vec2& p : *points) p = Vec2(kMm * p.x(), -kMm * p.y());
+        if (fold || grain) {
+          const Axis axis(line.points.front(), line.points.back());
+          if (fold && line.nodes.size() > 1)
+            part.folds.push_back(line.nodes);
+          else if (!fold && (axis.second - axis.first).norm() > kSamePoint)
+            part.grain = axis;
+          marked_ = true;
+          continue;
+        }
+        part.lines.push_back({{std::move(line.points), line.closed, true},
+                              std::move(line.nodes),
+                              path_name,
+                              path_name == "seam" || fabric,
+                              here});
       }
-      if (line.points.size() < 3) continue;
-      const double area = std::abs(pattern::signed_area(line.points));
-      if (area <= largest) continue;
-      largest = area;
-      part.seam.points = std::move(line.points);
-      part.nodes = std::move(line.nodes);
     }
+    if (const auto points = j.find("points"); points != j.end() && points->is_object())
+      for (const auto& [point_name, point] : points->items()) add_text(point, part.texts);
     if (const auto snippets = j.find("snippets"); snippets != j.end() && snippets->is_object())
       for (const auto& [snippet_name, snippet] : snippets->items())
         if (snippet.is_object() && snippet.contains("def") && snippet["def"].is_string() &&
@@ -77,7 +89,7 @@ class Reader {
   }
 
   bool marked() const { return marked_; }
-  int left() const { return left_; }
+  LeftOut& left() { return left_; }
 
   [[noreturn]] void fail(const std::string& at, const std::string& found,
                          const std::string& expected, const std::string& hint = {}) const {
@@ -97,6 +109,18 @@ class Reader {
   }
 
  private:
+  static std::string trimmed(const std::string& text) {
+    const std::size_t a = text.find_first_not_of(' '), b = text.find_last_not_of(' ');
+    return a == std::string::npos ? std::string() : printable(text.substr(a, b - a + 1), 60);
+  }
+
+  /// What FreeSewing writes at a path or a point.
+  static void add_text(const Json& of, std::vector<std::string>& texts) {
+    if (!of.is_object()) return;
+    const std::string text = trimmed(attribute(of, "data-text"));
+    if (!text.empty()) texts.push_back(text);
+  }
+
   /// attributes.list.KEY, a list of words.
   static std::string attribute(const Json& path, const std::string& key) {
     std::string words;
@@ -126,14 +150,13 @@ class Reader {
     return point;
   }
 
-  SvgRun read_ops(const Json& path, const std::string& at) const {
+  std::vector<SvgRun> read_ops(const Json& path, const std::string& at) const {
     const auto ops = path.find("ops");
     if (ops == path.end() || !ops->is_array()) fail(at + ".ops", "no list", "a list of operations");
     if (ops->size() > kMostOps)
       fail(at + ".ops", fmt::format("{} operations", ops->size()),
            fmt::format("at most {}", kMostOps));
-    SvgRun run;
-    bool begun = false;
+    std::vector<SvgRun> runs;
     for (std::size_t i = 0; i < ops->size(); ++i) {
       const Json& op = (*ops)[i];
       const std::string here = fmt::format("{}.ops[{}]", at, i);
@@ -141,32 +164,30 @@ class Reader {
       if (!op.is_object() || type == op.end() || !type->is_string())
         fail(here, "no type", "move, line, curve or close");
       const std::string kind = type->get<std::string>();
-      if (kind == "close") {
-        run.closed = true;
-      } else if (kind == "noop") {
+      if (kind == "noop") {
         continue;
       } else if (kind == "move") {
-        // A second one begins another outline; the first is the piece.
-        if (begun) break;
-        run.start = point(op, "to", here);
-        begun = true;
-      } else if (!begun) {
+        runs.push_back({point(op, "to", here), {}, false});
+      } else if (kind != "close" && runs.empty()) {
         fail(here, '"' + printable(kind, 20) + '"', "move first");
+      } else if (kind == "close") {
+        if (!runs.empty()) runs.back().closed = true;
       } else if (kind == "line") {
-        run.line_to(point(op, "to", here));
+        runs.back().line_to(point(op, "to", here));
       } else if (kind == "curve") {
         const Vec2 a = point(op, "cp1", here), b = point(op, "cp2", here);
-        run.curve_to(a, b, point(op, "to", here));
+        runs.back().curve_to(a, b, point(op, "to", here));
       } else {
         fail(here, '"' + printable(kind, 20) + '"', "move, line, curve or close");
       }
     }
-    return run;
+    std::erase_if(runs, [](const SvgRun& run) { return run.segments.empty(); });
+    return runs;
   }
 
   const std::string& file_;
   bool marked_ = false;
-  int left_ = 0;
+  LeftOut left_;
 };
 
 }  // namespace
@@ -194,7 +215,10 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
   std::vector<FreesewingPart> parts;
   const auto add = [&](const std::string& name, const Json& part, const std::string& at) {
     if (!part.is_object()) reader.fail(at, "no object", "a part");
-    if (Reader::flag(part, "hidden")) return;
+    if (Reader::flag(part, "hidden")) {
+      reader.left().count("hidden parts", name);
+      return;
+    }
     if (parts.size() >= kMostParts)
       reader.fail(at, fmt::format("more than {} parts", kMostParts), "a design");
     parts.push_back(reader.part(part, name, at));
@@ -228,31 +252,24 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
   result.about.push_back("FreeSewing JSON, in millimetres");
   std::set<std::string> names;
   for (const FreesewingPart& part : parts)
-    if (!part.seam.points.empty()) names.insert(part.name);
-  struct Drawn {
-    std::string part;
-    DrawnPiece piece;
-    PieceCount count;
-  };
-  std::vector<Drawn> drawn;
-  for (FreesewingPart& part : parts) {
-    const std::string name = part.name;
-    if (part.seam.points.empty()) {
-      result.unused.push_back("part " + printable(name) + ": it has no path \"seam\"");
-      continue;
-    }
-    Drawn one{name, {}, {}};
-    one.piece = drawn_freesewing(std::move(part), reader.marked(), names, one.count);
-    drawn.push_back(std::move(one));
+    if (part.has_outline()) names.insert(part.name);
+  LeftOut& left = reader.left();
+  std::vector<CountedPiece> drawn;
+  for (const FreesewingPart& part : parts) {
+    if (!part.has_outline())
+      left.unused.push_back("part " + printable(part.name) + ": it has no path \"seam\"");
+    for (CountedPiece& one : drawn_freesewing(part, reader.marked(), names, left))
+      drawn.push_back(std::move(one));
   }
   std::vector<DrawnPiece*> pieces;
-  for (Drawn& one : drawn) pieces.push_back(&one.piece);
+  for (CountedPiece& one : drawn) pieces.push_back(&one.piece);
   point_grains_up(pieces);
   PieceCollector collector(result);
-  for (Drawn& one : drawn)
-    collector.add(std::move(one.piece), one.count, "part " + printable(one.part));
+  for (CountedPiece& one : drawn) collector.add(std::move(one.piece), one.count, one.place);
   collector.finish(file, "sew line");
-  if (reader.left() > 0) result.unused.push_back(fmt::format("other paths: {}", reader.left()));
+  left.sum_up();
+  result.unused.insert(result.unused.end(), left.unused.begin(), left.unused.end());
+  result.warnings.insert(result.warnings.end(), left.warnings.begin(), left.warnings.end());
   return result;
 }
 

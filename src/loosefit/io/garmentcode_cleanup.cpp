@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_frame.h"
 #include "loosefit/pattern/curve.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::io {
@@ -42,6 +43,7 @@ void make_counter_clockwise(pattern::Panel& panel) {
     for (Vec2& k : edge.knots) k.x() = -k.x();
     for (pattern::EdgeCurve& curve : edge.curves) curve = pattern::mirrored_curve(curve);
   }
+  panel.holes = pattern::mirrored_holes(std::move(panel.holes));
   const Mat3 half_turn = Vec3(-1, 1, -1).asDiagonal();
   panel.rotation = panel.rotation * half_turn;
 }

@@ -174,6 +174,16 @@ pattern::Panel read_panel(const std::string& name, const Node& node, const FileR
     panel.cloth = {cloth.at("mass").within(0.01, 100), cloth.at("membrane").within(0.01, 1e4),
                    cloth.at("bending").within(1, 1e4)};
   }
+  if (node.has(kHolesKey)) {
+    const Node holes = node.at(kHolesKey).array(0, kMostEdges);
+    for (std::size_t i = 0; i < holes.value.size(); ++i) {
+      const Node hole = holes.item(i).object();
+      const Node points = hole.at("points").array(3, kMostEdges);
+      panel.holes.push_back({hole.optional_text("name"), {}});
+      for (std::size_t k = 0; k < points.value.size(); ++k)
+        panel.holes.back().points.push_back(points.item(k).pair() * rules.metre);
+    }
+  }
   const Node vertices = node.at("vertices").array(2, 2 * kMostEdges);
   for (std::size_t i = 0; i < vertices.value.size(); ++i)
     panel.vertices.push_back(vertices.item(i).pair() * rules.metre);
@@ -335,7 +345,8 @@ void warn_of_unread_keys(const Node& root, std::vector<std::string>& warnings) {
   unread.note(pattern, {"panels", "stitches", "panel_order"});
   for (const auto& [name, value] : panels.value.items()) {
     const Node panel{value, panels.path, panels.file};
-    unread.note(panel, {"label", "translation", "rotation", "vertices", "edges", kClothKey});
+    unread.note(panel,
+                {"label", "translation", "rotation", "vertices", "edges", kClothKey, kHolesKey});
     const Node edges = panel.at("edges");
     for (std::size_t i = 0; i < edges.value.size(); ++i)
       unread.note(edges.item(i),
@@ -416,6 +427,12 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file) 
     throw GeometryError(file + ": " + e.what(), e.hint());
   }
   set_panel_order(result.pattern, order);
+  for (const pattern::Panel& panel : result.pattern.panels) {
+    std::string line = "panel " + printable(panel.name) + ": its outline";
+    for (const pattern::PanelHole& hole : panel.holes)
+      line += ", hole \"" + printable(hole.name) + "\" cut";
+    result.used.push_back(std::move(line));
+  }
   note_draft(root, result);
   warn_of_unread_keys(root, result.warnings);
   return result;

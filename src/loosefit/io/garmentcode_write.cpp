@@ -105,6 +105,19 @@ std::string cloth_line(const pattern::PanelCloth& cloth) {
   return fmt::format("        \"{}\": {},\n", kClothKey, values.dump());
 }
 
+/// A line with the holes of a piece; nothing without any.
+std::string holes_line(const std::vector<pattern::PanelHole>& holes) {
+  if (holes.empty()) return {};
+  Json list = Json::array();
+  for (const pattern::PanelHole& hole : holes) {
+    Json points = Json::array();
+    for (const Vec2& p : hole.points)
+      points.push_back(Json::array({tidy(p.x() * kPerMetre), tidy(p.y() * kPerMetre)}));
+    list.push_back({{"name", hole.name}, {"points", points}});
+  }
+  return fmt::format("        \"{}\": {},\n", kHolesKey, list.dump());
+}
+
 Json numbers(const Vec3& v) { return Json::array({tidy(v.x()), tidy(v.y()), tidy(v.z())}); }
 
 std::string list_lines(const std::vector<Json>& items, const std::string& indent) {
@@ -177,8 +190,8 @@ std::string garmentcode_text(const pattern::Pattern& pattern) {
     panels += fmt::format(
         "{}\n      {}: {{\n        \"label\": {},\n{}        \"translation\": {},\n"
         "        \"rotation\": {},\n        \"vertices\": {},\n        \"edges\": {}\n      }}",
-        p ? "," : "", Json(panel.name).dump(), Json(panel.label).dump(), cloth_line(panel.cloth),
-        numbers(translation).dump(),
+        p ? "," : "", Json(panel.name).dump(), Json(panel.label).dump(),
+        cloth_line(panel.cloth) + holes_line(panel.holes), numbers(translation).dump(),
         numbers(euler_deg_from_rotation(to_file * panel.rotation)).dump(),
         list_lines(vertices, "        "), list_lines(edges, "        "));
   }

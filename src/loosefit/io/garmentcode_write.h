@@ -10,11 +10,12 @@ namespace loosefit::io {
 /// readers of other programs pass over it.
 inline constexpr const char* kDraftKey = "loosefit_draft";
 
-/// Keys of ours in a panel, what it is made of ("mass", "membrane", "bending": Panel::cloth), and
-/// in an edge, the width of its hem (PanelEdge::finish) and its elastic ("ratio", "stiffness" in
-/// newtons, "width": PanelEdge::elastic).
-inline constexpr const char *kClothKey = "loosefit_cloth", *kFinishKey = "loosefit_finish",
-                            *kElasticKey = "loosefit_elastic";
+/// Keys of ours in a panel, what it is made of ("mass", "membrane", "bending": Panel::cloth) and
+/// its holes ("name", "points": Panel::holes), over which other programs go as if they were cloth;
+/// and in an edge, the width of its hem (PanelEdge::finish) and its elastic ("ratio", "stiffness"
+/// in newtons, "width": PanelEdge::elastic).
+inline constexpr const char *kClothKey = "loosefit_cloth", *kHolesKey = "loosefit_holes",
+                            *kFinishKey = "loosefit_finish", *kElasticKey = "loosefit_elastic";
 
 /// The pattern as GarmentCode JSON text in centimetres. Chains of curves are cut where one curve of
 /// either side of the seam ends, so that each file edge has one curve and each stitch equal parts.

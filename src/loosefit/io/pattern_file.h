@@ -20,7 +20,8 @@ struct PatternFile {
   std::vector<std::string> warnings;
   std::vector<pattern::Notch> notches;  ///< that the file has; seams are proposed by them
   std::vector<std::string> about;       ///< what the file says of itself: format, units, sizes
-  std::vector<std::string> unused;      ///< what stands in the file and was not used
+  std::vector<std::string> used;        ///< the pieces that were taken, each with how
+  std::vector<std::string> unused;      ///< what stands in the file and was not used, and why
   pattern::QuarterTurns turns;          ///< that a side file asks for
   bool placed = true;           ///< it says where its panels start, or it was told by what they are
   std::string not_placed;       ///< why it could not be told

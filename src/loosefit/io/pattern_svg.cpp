@@ -8,6 +8,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
 
@@ -80,6 +81,21 @@ std::string path_data(const Piece& piece) {
   return d + " Z";
 }
 
+/// Holes as lines of their own, so that they keep their names.
+std::string hole_lines(const Piece& piece) {
+  std::string out;
+  for (const pattern::PanelHole& hole : piece.panel->holes) {
+    std::string d = "M";
+    for (const Vec2& p : hole.points) d += " " + point(piece.on_sheet(p));
+    out += fmt::format(
+        "    <path class=\"hole\" "
+        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" inkscape:label=\"{}\" "
+        "d=\"{} Z\" fill=\"white\" stroke=\"black\" stroke-width=\"0.7\"/>\n",
+        svg_escaped(hole.name), d);
+  }
+  return out;
+}
+
 std::string text(const Vec2& at, double size, const std::string& words, double angle_deg = 0) {
   const std::string turn =
       angle_deg == 0 ? "" : fmt::format(" transform=\"rotate({:.2f} {})\"", angle_deg, point(at));
@@ -134,8 +150,10 @@ Vec2 inner_point(const Piece& piece) {
       const Vec2 p =
           piece.low +
           (piece.high - piece.low).cwiseProduct(Vec2(double(i) / kGrid, double(j) / kGrid));
-      if (!pattern::inside_polygon(piece.outline, p)) continue;
-      const double d = (pattern::closest_on_polygon(piece.outline, p) - p).norm();
+      if (!pattern::on_cloth(*piece.panel, piece.outline, p)) continue;
+      double d = (pattern::closest_on_polygon(piece.outline, p) - p).norm();
+      for (const pattern::PanelHole& hole : piece.panel->holes)
+        d = std::min(d, (pattern::closest_on_polygon(hole.points, p) - p).norm());
       if (d > depth + 1e-9) depth = d, best = p;
     }
   return best;
@@ -193,8 +211,8 @@ std::vector<Piece> pieces_of(const pattern::Pattern& pattern, const std::vector<
 std::string drawn(const Piece& piece, const std::vector<int>& seams, double opacity) {
   std::string out = fmt::format(
       "    <path class=\"outline\" d=\"{}\" fill=\"#f4f4f0\" stroke=\"black\" "
-      "stroke-width=\"0.7\"/>\n    <g opacity=\"{:g}\">\n",
-      path_data(piece), opacity);
+      "stroke-width=\"0.7\"/>\n{}    <g opacity=\"{:g}\">\n",
+      path_data(piece), hole_lines(piece), opacity);
   const Vec2 name_at = piece.on_sheet(inner_point(piece));
   const double name_size = std::clamp(piece.size().x() / 14, 4.0, 14.0);
   const double arrow = std::min(120.0, piece.size().y() / 4);

@@ -64,7 +64,10 @@ void leave_out(PatternFile& file, const std::vector<std::string>& names,
   std::vector<pattern::Panel> kept;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
     if (std::find(names.begin(), names.end(), pattern.panels[p].name) != names.end()) {
-      file.unused.push_back("piece " + printable(pattern.panels[p].name) + ": left out as asked");
+      const std::string called = "piece " + printable(pattern.panels[p].name);
+      file.unused.push_back(called + ": left out as asked");
+      std::erase_if(file.used,
+                    [&](const std::string& line) { return line.starts_with(called + " ("); });
       continue;
     }
     now[p] = static_cast<int>(kept.size());

@@ -17,13 +17,16 @@ std::optional<double> mobility_at(const std::vector<AskedMobility>& asked, doubl
 }
 
 double width_at(const pattern::Panel& panel, double y) {
-  const std::vector<Vec2> outline = pattern::outline_polygon(panel);
   std::vector<double> crossings;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    if ((a.y() < y) != (b.y() < y))
-      crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-  }
+  const auto cross = [&](const std::vector<Vec2>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];
+      if ((a.y() < y) != (b.y() < y))
+        crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    }
+  };
+  cross(pattern::outline_polygon(panel));
+  for (const pattern::PanelHole& hole : panel.holes) cross(hole.points);
   std::sort(crossings.begin(), crossings.end());
   double width = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "loosefit/base/error.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
 #include "loosefit/pattern/self_crossing.h"
@@ -17,8 +18,14 @@ namespace {
 constexpr int kMostDivisions = 20000;  // of one edge
 constexpr double kMostVertices = 4e6;  // of the whole mesh
 
-bool usable(const std::vector<Vec2>& polygon) {
-  return polygon.size() >= 3 && signed_area(polygon) > 0 && first_self_crossing(polygon).first < 0;
+bool usable(const Panel& panel, const std::vector<int>& divisions, double edge_length) {
+  const std::vector<Vec2> polygon = divided_outline(panel, divisions);
+  return polygon.size() >= 3 && signed_area(polygon) > 0 &&
+         first_self_crossing(polygon).first < 0 &&
+         std::all_of(panel.holes.begin(), panel.holes.end(), [&](const PanelHole& hole) {
+           return hole_fault({hole.name, divided_hole(hole, edge_length).points}, polygon, {})
+               .empty();
+         });
 }
 
 /// Corners that the seams bring together, as one number each: [panel][vertex].
@@ -119,7 +126,7 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
   for (int round = 0; round < 12; ++round) {
     bool changed = false;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-      if (usable(divided_outline(pattern.panels[p], divisions[p]))) continue;
+      if (usable(pattern.panels[p], divisions[p], edge_length)) continue;
       changed = true;
       for (std::size_t e = 0; e < divisions[p].size(); ++e) divisions[p][e] *= 2;
     }

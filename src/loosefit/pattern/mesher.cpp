@@ -19,9 +19,11 @@
 #include <numeric>
 #include <utility>
 
+#include "loosefit/base/check.h"
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/pattern/divisions.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 
@@ -43,31 +45,62 @@ constexpr double kBoundaryGap = 0.5;  // from interior points to the outline
 constexpr int kMostRounds = 60;
 constexpr int kSmoothingSteps = 30;
 
-/// Constrained Delaunay triangulation of the outline and the points inside it.
+/// The rims of a panel: its outline, counter-clockwise, then its holes, likewise.
+using Rims = std::vector<std::vector<Vec2>>;
+
+int points_of(const Rims& rims) {
+  std::size_t count = 0;
+  for (const std::vector<Vec2>& rim : rims) count += rim.size();
+  return static_cast<int>(count);
+}
+
+bool is_on_cloth(const Rims& rims, const Vec2& p) {
+  return inside_polygon(rims[0], p) &&
+         std::none_of(rims.begin() + 1, rims.end(),
+                      [&](const std::vector<Vec2>& hole) { return inside_polygon(hole, p); });
+}
+
+double distance_to_rims(const Rims& rims, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::vector<Vec2>& rim : rims)
+    least = std::min(least, (closest_on_polygon(rim, p) - p).norm());
+  return least;
+}
+
+/// Constrained Delaunay triangulation of the rims and the points on the cloth. The points begin
+/// with those of the rims.
 struct Triangulation {
   Cdt cdt;
   std::vector<Triangle> triangles;
 
-  Triangulation(const std::vector<Vec2>& points, int outline) {
+  Triangulation(const std::vector<Vec2>& points, const Rims& rims) {
     std::vector<Cdt::Vertex_handle> handles;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto near = handles.empty() ? Cdt::Face_handle() : handles.back()->face();
       handles.push_back(cdt.insert({points[i].x(), points[i].y()}, near));
       handles.back()->info() = static_cast<int>(i);
     }
-    for (int i = 0; i < outline; ++i) cdt.insert_constraint(handles[i], handles[(i + 1) % outline]);
-    mark_inside();
+    std::size_t first = 0;
+    for (const std::vector<Vec2>& rim : rims) {
+      for (std::size_t i = 0; i < rim.size(); ++i)
+        cdt.insert_constraint(handles[first + i], handles[first + (i + 1) % rim.size()]);
+      first += rim.size();
+    }
+    for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = true;
+    // Faces reached from infinity, or from within a hole, without crossing a rim are no cloth.
+    clear_from(cdt.infinite_face());
+    first = rims[0].size();
+    for (std::size_t r = 1; r < rims.size(); first += rims[r++].size())
+      clear_from(left_of(handles[first], handles[first + 1]));
     for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
       if (f->info())
         triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
  private:
-  /// Faces reached from infinity without crossing the outline are outside.
-  void mark_inside() {
-    for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = true;
-    std::vector<Cdt::Face_handle> open{cdt.infinite_face()};
-    cdt.infinite_face()->info() = false;
+  void clear_from(Cdt::Face_handle start) {
+    std::vector<Cdt::Face_handle> open{start};
+    start->info() = false;
     while (!open.empty()) {
       const Cdt::Face_handle face = open.back();
       open.pop_back();
@@ -78,6 +111,15 @@ struct Triangulation {
         open.push_back(other);
       }
     }
+  }
+
+  /// The face on the left of an edge of the triangulation.
+  Cdt::Face_handle left_of(Cdt::Vertex_handle a, Cdt::Vertex_handle b) const {
+    Cdt::Face_handle face;
+    int opposite = 0;
+    require(cdt.is_edge(a, b, face, opposite), "the rim of a hole runs along edges of its mesh");
+    const bool left = face->vertex(Cdt::ccw(opposite)) == a;
+    return left ? face : face->neighbor(opposite);
   }
 };
 
@@ -129,12 +171,11 @@ class SpacedPoints {
 
 /// Adds circumcentres of triangles that are too large until there are none left. Points keep their
 /// distance from each other and from the outline, which is why this ends, however thin the panel.
-void refine(std::vector<Vec2>& points, const std::vector<Vec2>& outline, double edge_length) {
+void refine(std::vector<Vec2>& points, const Rims& rims, double edge_length) {
   SpacedPoints spaced(kSpacing * edge_length);
   for (int round = 0; round < kMostRounds; ++round) {
     std::vector<Candidate> candidates;
-    for (const auto& [a, b, c] :
-         Triangulation(points, static_cast<int>(outline.size())).triangles) {
+    for (const auto& [a, b, c] : Triangulation(points, rims).triangles) {
       const double radius = circumradius(points[a], points[b], points[c]);
       if (radius <= kLargestRadius * edge_length) continue;
       const Vec2 centroid = (points[a] + points[b] + points[c]) / 3;
@@ -148,10 +189,8 @@ void refine(std::vector<Vec2>& points, const std::vector<Vec2>& outline, double 
     for (const auto& [radius, centre, centroid] : candidates) {
       if (!spaced.free(centre)) continue;
       // A flat triangle at the outline has its circumcentre outside: its own centre will do.
-      const Vec2& p = inside_polygon(outline, centre) ? centre : centroid;
-      if (!spaced.free(p) ||
-          (closest_on_polygon(outline, p) - p).norm() < kBoundaryGap * edge_length)
-        continue;
+      const Vec2& p = is_on_cloth(rims, centre) ? centre : centroid;
+      if (!spaced.free(p) || distance_to_rims(rims, p) < kBoundaryGap * edge_length) continue;
       spaced.add(p);
       points.push_back(p);
     }
@@ -175,15 +214,15 @@ bool break_chords(std::vector<Vec2>& points, const std::vector<Triangle>& triang
 }
 
 /// One sweep: every interior point to the area centroid of its triangles, unless one would flip.
-void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int outline) {
+void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int fixed) {
   const auto twice_area = [](const Vec2& a, const Vec2& b, const Vec2& c) {
     return geometry::cross(b - a, c - a);
   };
   std::vector<std::vector<int>> around(points.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (const int v : triangles[t])
-      if (v >= outline) around[v].push_back(static_cast<int>(t));
-  for (std::size_t v = outline; v < points.size(); ++v) {
+      if (v >= fixed) around[v].push_back(static_cast<int>(t));
+  for (std::size_t v = fixed; v < points.size(); ++v) {
     Vec2 sum = Vec2::Zero();
     double weight = 0;
     for (const int t : around[v]) {
@@ -233,23 +272,39 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
                         fmt::format("an outline of {} points that is not simple", n),
                         "a simple outline");
 
-  std::vector<Vec2> points = outline;
-  refine(points, outline, edge_length);
-  std::vector<Triangle> triangles = Triangulation(points, n).triangles;
+  Rims rims{outline};
+  PanelMesh mesh;
+  for (const PanelHole& hole : panel.holes) {
+    DividedHole divided = divided_hole(hole, edge_length);
+    if (const std::string fault = hole_fault({hole.name, divided.points}, outline, {});
+        !fault.empty())
+      throw GeometryError(InputPlace{{}, 0, "panel " + panel.name + " hole " + hole.name}, fault,
+                          "a hole within the outline", "take a smaller edge_length");
+    std::vector<int> chain(divided.points.size());
+    std::iota(chain.begin(), chain.end(), points_of(rims));
+    mesh.holes.push_back({std::move(chain), std::move(divided.along)});
+    rims.push_back(std::move(divided.points));
+  }
+  std::vector<Vec2> points;
+  for (const std::vector<Vec2>& rim : rims) points.insert(points.end(), rim.begin(), rim.end());
+  const int fixed = points_of(rims);
+  refine(points, rims, edge_length);
+  std::vector<Triangle> triangles = Triangulation(points, rims).triangles;
   for (int step = 0; step < kSmoothingSteps; ++step) {
     // Chords are broken between sweeps, too, so that the new points find their place.
     if (step % 5 == 0)
       break_chords(points, triangles, n);
     else
-      smooth(points, triangles, n);
-    triangles = Triangulation(points, n).triangles;
+      smooth(points, triangles, fixed);
+    triangles = Triangulation(points, rims).triangles;
   }
   for (int round = 0; round < 8 && break_chords(points, triangles, n); ++round)
-    triangles = Triangulation(points, n).triangles;
+    triangles = Triangulation(points, rims).triangles;
 
   sort_along_curve(triangles, points);
 
-  PanelMesh mesh{points, triangles, {}};
+  mesh.vertices = points;
+  mesh.triangles = triangles;
   int first = 0;
   for (const int count : divisions) {
     std::vector<int> chain;

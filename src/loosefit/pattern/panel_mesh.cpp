@@ -7,6 +7,7 @@
 #include "loosefit/base/check.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/mesh_topology.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::pattern {
@@ -83,6 +84,24 @@ PanelMesh subdivide(const PanelMesh& coarse, const Panel& panel,
       finer.push_back(chain[i + 1]);
     }
     fine.edge_vertices.push_back(finer);
+  }
+  for (std::size_t h = 0; h < coarse.holes.size(); ++h) {
+    const PanelHole& hole = panel.holes[h];
+    const double length = rim_length(hole);
+    const auto& [chain, along] = coarse.holes[h];
+    MeshedRim finer;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const bool last = i + 1 == chain.size();
+      const int edge = topology.find(chain[i], chain[last ? 0 : i + 1]);
+      require(edge >= 0, "the rim of a hole runs along edges of its mesh");
+      const int m = middle_of[edge];
+      const double between = 0.5 * (along[i] + (last ? along[0] + length : along[i + 1]));
+      on_curve[m] = point_on_rim(hole, between);
+      moved[m] = true;
+      finer.vertices.insert(finer.vertices.end(), {chain[i], m});
+      finer.along.insert(finer.along.end(), {along[i], between});
+    }
+    fine.holes.push_back(std::move(finer));
   }
   // A curve that bulges further than its triangle is deep keeps the chord's midpoint.
   const std::vector<Vec2> chord = std::exchange(fine.vertices, on_curve);

@@ -49,17 +49,25 @@ struct PanelCloth {
   bool operator==(const PanelCloth&) const = default;
 };
 
+/// A hole cut into a piece, whose rim is sewn to nothing: an opening of the garment where a hand
+/// goes through it.
+struct PanelHole {
+  std::string name;          ///< "neck hole"
+  std::vector<Vec2> points;  ///< its rim, counter-clockwise, the first point once [m]
+};
+
 /// A flat piece. x is weft, y is warp (grain). The outline runs counter-clockwise seen from the
 /// outside of the cloth; z of the placed panel points to the outside.
 struct Panel {
   std::string name;
-  std::string label;                 ///< GarmentCode: body, arm, leg or empty
-  std::string part;                  ///< as PanelEdge::part: "front", "sleeve_L_back", …
-  std::vector<Vec2> vertices;        ///< [m]
-  std::vector<PanelEdge> edges;      ///< one closed loop in order
-  PanelCloth cloth = {};             ///< of what
-  Vec3 translation = Vec3::Zero();   ///< placement in our frame (z up, facing -y) [m]
-  Mat3 rotation = Mat3::Identity();  ///< panel (x, y, 0) → our frame
+  std::string label;                  ///< GarmentCode: body, arm, leg or empty
+  std::string part;                   ///< as PanelEdge::part: "front", "sleeve_L_back", …
+  std::vector<Vec2> vertices;         ///< [m]
+  std::vector<PanelEdge> edges;       ///< one closed loop in order
+  std::vector<PanelHole> holes = {};  ///< within the outline, apart from it and from each other
+  PanelCloth cloth = {};              ///< of what
+  Vec3 translation = Vec3::Zero();    ///< placement in our frame (z up, facing -y) [m]
+  Mat3 rotation = Mat3::Identity();   ///< panel (x, y, 0) → our frame
 };
 
 /// One seam: edge `first` sewn to edge `second`. Both may lie in one panel (dart, tube).

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "loosefit/base/error.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 
@@ -88,6 +89,16 @@ void check_panel(const Panel& panel) {
                      edge_at(panel, i, kPerCurve), edge_at(panel, j, kPerCurve)),
          "a simple outline");
   if (!(signed_area(outline) > 0)) fail("", "a clockwise outline", "a counter-clockwise outline");
+  std::vector<PanelHole> cut;
+  for (const PanelHole& hole : panel.holes) {
+    const std::string key = " hole " + hole.name;
+    for (const Vec2& p : hole.points)
+      if (!sound(p)) fail(key, "a point that is not finite", "finite coordinates");
+    if (const std::string fault = hole_fault(hole, outline, cut); !fault.empty())
+      fail(key, fault, "a hole within the outline, apart from it and from other holes");
+    if (!(signed_area(hole.points) > 0)) fail(key, "a clockwise rim", "a counter-clockwise rim");
+    cut.push_back(hole);
+  }
 }
 
 }  // namespace

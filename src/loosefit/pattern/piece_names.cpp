@@ -122,6 +122,11 @@ const std::vector<Known>& known() {
        {"sew", "seam", "naht", "stitch", "couture", "costura"},
        {},
        {"naht", "seamline", "sewline", "stitchline"}},
+      {&W::hole,
+       {"hole", "cutout", "aussparung", "opening", "oeffnung", "agujero", "hueco", "apertura",
+        "abertura", "ouverture", "ausschnitt", "neckline", "encolure", "escote", "scollo"},
+       {"loch", "trou", "buco", "foro", "furo", "buraco", "gat"},
+       {"neckhole", "keyhole", "thumbhole", "halsloch", "halsausschnitt"}},
       {&W::sheet,
        {"control", "scale", "legend", "title", "frame", "page", "logo", "massstab", "rahmen",
         "kontroll", "calibration", "background"},
@@ -167,14 +172,16 @@ bool says(const Known& known, const std::string& word) {
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
-  bool rt = false, mirrored = false, side = false;
+  bool rt = false, mirrored = false, side = false, button = false;
   for (const std::string& word : split(name.substr(0, 200))) {
     rt |= word == "rt", mirrored |= word == "mirrored", side |= word == "side";
+    button |= word.starts_with("button") || word.starts_with("knopf") || word == "drill";
     const std::string rest = behind_letters(word, words);
     for (const Known& one : known())
       if (!word.empty() && (says(one, word) || (!rest.empty() && says(one, rest))))
         words.*one.what = true;
   }
+  if (button) words.hole = false;
   // In German lists the back ("Rückenteil"), in those of CAD systems the right hand of something.
   if (rt) {
     const bool of_something = words.front || words.back || words.sleeve || words.leg ||

@@ -16,6 +16,7 @@ struct PieceWords {
   bool neck = false, armhole = false, cuff = false, waist = false,
        hem = false;                                               ///< of bands, ribs and collars
   bool grain = false, fold = false, notch = false, seam = false;  ///< of lines
+  bool hole = false;   ///< an opening cut out of a piece, not a buttonhole
   bool sheet = false;  ///< frame, legend, test square: no part of a garment
 };
 

@@ -42,6 +42,9 @@ bool needs_drape(const SiteSpec& site) {
 /// The mesh cuts the corners of a curved outline, at a concave one to its outside.
 Vec2 inside(const pattern::Panel& panel, const Vec2& place) {
   const std::vector<Vec2> outline = pattern::outline_polygon(panel);
+  for (const pattern::PanelHole& hole : panel.holes)
+    if (pattern::inside_polygon(hole.points, place))
+      return pattern::closest_on_polygon(hole.points, place);
   return pattern::inside_polygon(outline, place) ? place
                                                  : pattern::closest_on_polygon(outline, place);
 }

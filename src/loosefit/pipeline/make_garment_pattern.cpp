@@ -85,6 +85,7 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
     made.pattern = std::move(file.pattern);
     made.warnings = std::move(file.warnings);
     made.about = std::move(file.about);
+    made.used = std::move(file.used);
     made.unused = std::move(file.unused);
     made.notches = std::move(file.notches);
     placed = file.placed;

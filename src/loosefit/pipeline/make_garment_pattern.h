@@ -36,8 +36,9 @@ struct GarmentPattern {
   std::vector<kinds::FitLevel> levels;  ///< of fit, in the order of the kind
   std::string details;                  ///< of the draft; empty without one
   std::vector<std::string> warnings;
-  std::vector<std::string> about;       ///< what a pattern file says of itself
-  std::vector<std::string> unused;      ///< what of a pattern file was not used
+  std::vector<std::string> about;   ///< what a pattern file says of itself
+  std::vector<std::string> used;    ///< the pieces of a pattern file, each with how it was taken
+  std::vector<std::string> unused;  ///< what of a pattern file was not used, and why
   std::vector<pattern::Notch> notches;  ///< of a pattern file
   std::vector<io::PatternMark> marks;   ///< what a scenario fixes to it
 };

@@ -7,6 +7,7 @@
 #include "loosefit/base/version.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/material_origin.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::report {
@@ -43,11 +44,14 @@ Json piece_json(const pattern::Panel& panel) {
   const std::vector<Vec2> outline = pattern::outline_polygon(panel);
   Vec2 low = outline[0], high = outline[0];
   for (const Vec2& p : outline) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  return {{"name", panel.name},
-          {"width_m", (high - low).x()},
-          {"height_m", (high - low).y()},
-          {"area_m2", pattern::signed_area(outline)},
-          {"edges", panel.edges.size()}};
+  Json holes = Json::array();
+  for (const pattern::PanelHole& hole : panel.holes)
+    holes.push_back({{"name", hole.name},
+                     {"area_m2", pattern::signed_area(hole.points)},
+                     {"rim_m", pattern::rim_length(hole)}});
+  return {{"name", panel.name},           {"width_m", (high - low).x()},
+          {"height_m", (high - low).y()}, {"area_m2", pattern::cloth_area(panel)},
+          {"edges", panel.edges.size()},  {"holes", holes}};
 }
 
 Json seam_json(const pattern::Pattern& pattern, const pattern::Stitch& stitch) {
@@ -124,9 +128,9 @@ std::string pattern_document(const pipeline::GarmentPattern& made, const Written
   for (const pattern::Stitch& stitch : made.pattern.stitches)
     seams.push_back(seam_json(made.pattern, stitch));
   Json json = {
-      {"name", made.pattern.name}, {"about", made.about},      {"levels", levels_json(made.levels)},
-      {"pieces", pieces},          {"seams", seams},           {"details", made.details},
-      {"unused", made.unused},     {"warnings", made.warnings}};
+      {"name", made.pattern.name}, {"about", made.about},   {"levels", levels_json(made.levels)},
+      {"pieces", pieces},          {"seams", seams},        {"details", made.details},
+      {"used", made.used},         {"unused", made.unused}, {"warnings", made.warnings}};
   add_written(json, written);
   return text_of(json);
 }

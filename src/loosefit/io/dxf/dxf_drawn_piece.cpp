@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "loosefit/base/text.h"
 #include "loosefit/io/pieces/piece_outline.h"
 #include "loosefit/pattern/outline.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
@@ -14,6 +17,7 @@ namespace {
 constexpr std::size_t kMostLines = 2000;  // of one outline
 constexpr double kSameCurve = 0.001;      // between two samplings of one curve [m]
 constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so much of the piece
+constexpr double kSmallestPiece = 4e-4;   // [m²]
 constexpr double kNarrowest = 0.002, kWidest = 0.06;  // seam allowance [m]
 constexpr double kMm = 1000;
 
@@ -89,7 +93,8 @@ bool finer_copy(const Outline& fine, const Outline& coarse) {
 struct Layered {
   Outline outline;
   std::string fault;
-  std::string unused;  ///< other lines of the layer; empty: none
+  std::vector<Outline> inside, beside;  ///< other closed lines of the layer
+  int open = 0;                         ///< lines of the layer that do not close
 };
 
 bool near_any(const std::vector<Vec2>& points, const Vec2& p) {
@@ -128,24 +133,26 @@ bool is_copy(const Outline& loop, const Outline& outline) {
 
 Layered outline_on(const DxfBlock& block, int layer, double metre) {
   const std::vector<DrawnLine> lines = lines_on(block, layer, metre);
-  if (lines.empty()) return {{}, fmt::format("nothing is drawn on layer {}", layer), {}};
+  if (lines.empty()) return {{}, fmt::format("nothing is drawn on layer {}", layer), {}, {}, 0};
   std::size_t points = 0;
   for (const DrawnLine& line : lines) points += line.points.size();
   if (lines.size() > kMostLines || points > kMostOutlinePoints)
     return {{},
             fmt::format("layer {} has {} lines with {} points, at most {} and {} are read", layer,
                         lines.size(), points, kMostLines, kMostOutlinePoints),
-            {}};
+            {},
+            {},
+            0};
   Chained chained = chained_lines(block, layer, metre, lines);
   Layered result;
-  int closed = 0;
   for (Outline& loop : chained.loops) {
     Outline clean = cleaned(std::move(loop));
     if (clean.empty()) continue;
     if (result.outline.empty())
       result.outline = std::move(clean);
-    else
-      closed += !is_copy(clean, result.outline);
+    else if (!is_copy(clean, result.outline))
+      (lies_within(clean, result.outline) ? result.inside : result.beside)
+          .push_back(std::move(clean));
   }
   // What closes beside a larger line that stays open is a cutout or a mark, not the piece.
   if (result.outline.empty() || chained.open_area > outline_area(result.outline))
@@ -155,44 +162,165 @@ Layered outline_on(const DxfBlock& block, int layer, double metre) {
                     "close within {:g} mm are expected",
                     layer, kMm * chained.gap, chained.gap_at.x() / metre,
                     chained.gap_at.y() / metre, kMm * kChainGap),
-        {}};
-  if (closed + chained.open > 0)
-    result.unused = fmt::format(
-        "layer {} has {} closed and {} open lines beside the largest one, which is its outline; "
-        "they are not used",
-        layer, closed, chained.open);
+        {},
+        {},
+        0};
+  result.open = chained.open;
   return result;
 }
 
-Layered best_outline(const DxfBlock& block, double metre, DrawnPiece& result) {
+/// The closed lines of a layer, whatever stays open on it.
+std::vector<Outline> loops_on(const DxfBlock& block, int layer, double metre, int& open) {
+  const std::vector<DrawnLine> lines = lines_on(block, layer, metre);
+  open = 0;
+  if (lines.size() > kMostLines) return {};
+  Chained chained = chain_lines(lines, {});
+  open = chained.open;
+  std::vector<Outline> loops;
+  for (Outline& loop : chained.loops)
+    if (Outline clean = cleaned(std::move(loop)); !clean.empty()) loops.push_back(std::move(clean));
+  return loops;
+}
+
+std::string square_centimetres(const Outline& loop) {
+  return fmt::format("{:.0f} cm2", 1e4 * std::abs(outline_area(loop)));
+}
+
+/// The outlines of a block, each with the closed lines of its layer that lie in it.
+struct Found {
+  Outline outline;
+  std::vector<Outline> inside;
+  bool on_sew_line = false;
+};
+
+/// The sew line within a boundary, of those on layer 14; the boundary without one.
+Found sewn_or_cut(Outline cut, std::vector<Outline> inside, std::vector<Outline>& sewn) {
+  const double enough = kShareOfPiece * outline_area(cut);
+  const auto seam = std::find_if(sewn.begin(), sewn.end(), [&](const Outline& loop) {
+    return outline_area(loop) >= enough && lies_within(loop, cut);
+  });
+  Found found{std::move(cut), std::move(inside), seam != sewn.end()};
+  if (!found.on_sew_line) return found;
+  const Outline boundary = std::exchange(found.outline, std::move(*seam));
+  sewn.erase(seam);
+  // The sew line of a hole lies round the hole.
+  std::vector<Outline> holes;
+  for (Outline& loop : sewn)
+    if (lies_within(loop, found.outline)) holes.push_back(loop);
+  std::erase_if(sewn, [&](const Outline& loop) { return lies_within(loop, boundary); });
+  for (Outline& loop : found.inside)
+    if (std::none_of(holes.begin(), holes.end(),
+                     [&](const Outline& hole) { return lies_within(loop, hole); }))
+      holes.push_back(std::move(loop));
+  found.inside = std::move(holes);
+  return found;
+}
+
+/// The largest outline first; without any, `fault` says why.
+std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string& fault,
+                               std::vector<std::string>& notes) {
   Layered cut = outline_on(block, 1, metre);
   Layered fine = outline_on(block, 84, metre);
   if (!fine.outline.empty() && (cut.outline.empty() || finer_copy(fine.outline, cut.outline)))
-    cut = std::move(fine);
-  if (cut.outline.empty()) return cut;
-  if (!cut.unused.empty()) result.notes.push_back(cut.unused);
-  const double enough = kShareOfPiece * outline_area(cut.outline);
+    cut.outline = std::move(fine.outline), cut.fault.clear();
+  if (cut.outline.empty()) {
+    fault = cut.fault;
+    return {};
+  }
+  if (cut.open > 0)
+    notes.push_back(
+        fmt::format("{} open lines on layer 1 beside its outline are not used", cut.open));
   Layered sewn = outline_on(block, 14, metre);
-  if (!lines_on(block, 14, metre).empty()) {
-    if (!sewn.outline.empty() && outline_area(sewn.outline) >= enough &&
-        lies_within(sewn.outline, cut.outline)) {
-      result.on_sew_line = true;
-      if (!sewn.unused.empty()) result.notes.push_back(sewn.unused);
-      return sewn;
+  std::vector<Outline> seams;
+  if (!sewn.outline.empty()) {
+    seams.push_back(std::move(sewn.outline));
+    for (std::vector<Outline>* more : {&sewn.inside, &sewn.beside})
+      for (Outline& loop : *more) seams.push_back(std::move(loop));
+    if (sewn.open > 0)
+      notes.push_back(
+          fmt::format("{} open lines on layer 14 beside its sew line are not used", sewn.open));
+  }
+  std::vector<Found> found{sewn_or_cut(std::move(cut.outline), std::move(cut.inside), seams)};
+  if (!found[0].on_sew_line && !lines_on(block, 14, metre).empty())
+    notes.push_back(
+        "its sew line (layer 14) is not taken, " +
+        (seams.empty() ? sewn.fault : std::string("it does not lie within the boundary")));
+  if (!found[0].on_sew_line) {
+    Layered inner = outline_on(block, 8, metre);
+    if (!inner.outline.empty() &&
+        outline_area(inner.outline) >= kShareOfPiece * outline_area(found[0].outline) &&
+        follows_inside(inner.outline, found[0].outline)) {
+      found[0].outline = std::move(inner.outline);
+      found[0].on_sew_line = true;
+      notes.push_back("the closed line on layer 8 along its boundary is taken as sew line");
     }
-    result.notes.push_back("its sew line (layer 14) is not taken, " +
-                           (sewn.outline.empty() ? sewn.fault
-                                                 : std::string("it does not lie within the "
-                                                               "boundary")));
   }
-  Layered inner = outline_on(block, 8, metre);
-  if (!inner.outline.empty() && outline_area(inner.outline) >= enough &&
-      follows_inside(inner.outline, cut.outline)) {
-    result.on_sew_line = true;
-    result.notes.push_back("the closed line on layer 8 along its boundary is taken as sew line");
-    return inner;
+  // Closed lines of the boundary's layer beside it, which may lie in each other.
+  for (Outline& loop : cut.beside) {
+    const auto round = std::find_if(found.begin() + 1, found.end(), [&](const Found& other) {
+      return lies_within(loop, other.outline);
+    });
+    if (round != found.end())
+      round->inside.push_back(std::move(loop));
+    else if (outline_area(loop) >= kSmallestPiece)
+      found.push_back(sewn_or_cut(std::move(loop), {}, seams));
+    else
+      notes.push_back(
+          "a closed line on layer 1 beside its outline is not used, it has less than "
+          "4 cm2");
   }
-  return cut;
+  return found;
+}
+
+/// The hole that a text in it names.
+std::string hole_name(const DxfBlock& block, const Outline& loop, double metre) {
+  const std::vector<Vec2> rim = polygon(loop);
+  for (const DxfEntity& e : block.entities)
+    if ((e.kind == "TEXT" || e.kind == "MTEXT") && !e.points.empty() &&
+        pattern::words_of(e.text).hole && pattern::inside_polygon(rim, metre * e.points[0]))
+      return e.text;
+  return {};
+}
+
+/// Cutouts: closed lines on layer 11, those within the boundary on its own layer, and what a text
+/// calls a hole on layer 8. Others on layer 8 are drawn on the cloth.
+void find_holes(const DxfBlock& block, const Found& found, double metre, DrawnPiece& piece,
+                std::vector<bool>& taken) {
+  const auto cut = [&](const Outline& loop, const std::string& called) {
+    const std::string text = hole_name(block, loop, metre);
+    piece.holes.push_back({text.empty() ? called : text, polygon(loop)});
+  };
+  for (const Outline& loop : found.inside)
+    if (outline_area(loop) <= kShareOfPiece * outline_area(found.outline))
+      cut(loop, "cutout");
+    else
+      piece.notes.push_back("a closed line of " + square_centimetres(loop) +
+                            " within its outline is not cut, it is nearly as large: another size?");
+  int open = 0;
+  std::vector<Outline> cutouts = loops_on(block, 11, metre, open);
+  taken.resize(cutouts.size(), false);
+  for (std::size_t k = 0; k < cutouts.size(); ++k) {
+    const std::vector<Vec2> around = polygon(found.outline);
+    const bool here = std::any_of(cutouts[k].begin(), cutouts[k].end(), [&](const OutlinePoint& p) {
+      return pattern::inside_polygon(around, p.at) || distance_to(around, p.at) < kChainGap;
+    });
+    if (here && !taken[k]) cut(cutouts[k], "cutout"), taken[k] = true;
+  }
+  if (open > 0 && piece.holes.empty())
+    piece.notes.push_back(
+        fmt::format("{} cutouts on layer 11 are not cut, they do not close", open));
+  for (const Outline& loop : loops_on(block, 8, metre, open)) {
+    if (std::abs(outline_area(loop)) < kSmallestPiece || !lies_within(loop, found.outline) ||
+        is_copy(loop, found.outline))
+      continue;
+    if (const std::string text = hole_name(block, loop, metre); !text.empty())
+      cut(loop, text);
+    else
+      piece.notes.push_back(
+          "a closed line of " + square_centimetres(loop) +
+          " on layer 8 (internal lines) is drawn on it and not cut; cutouts stand "
+          "on layer 11");
+  }
 }
 
 /// Where a notch lies along the outline: a point, a line from the outline inwards, or the two legs
@@ -214,34 +342,76 @@ std::vector<Vec2> notch_points(const DxfBlock& block, double metre) {
   return points;
 }
 
-/// Longest line on a layer: others may be the heads of its arrow.
-std::optional<Axis> longest_axis(const DxfBlock& block, int layer, double metre) {
-  std::optional<Axis> found;
-  double longest = kSamePoint;
+std::vector<std::vector<Vec2>> marks_on(const DxfBlock& block, int layer, double metre) {
+  std::vector<std::vector<Vec2>> marks;
   for (const DxfEntity& e : block.entities)
-    if (e.layer == layer && e.points.size() > 1) {
-      const Axis axis(metre * e.points.front(), metre * e.points.back());
-      const double length = (axis.second - axis.first).norm();
-      if (length > longest) longest = length, found = axis;
-    }
-  return found;
+    if (e.layer == layer && e.points.size() > 1) marks.push_back(scaled(e, metre));
+  return marks;
+}
+
+/// Index of the outline in which a point lies, or that is nearest.
+std::size_t outline_at(const std::vector<std::vector<Vec2>>& outlines, const Vec2& p) {
+  std::size_t best = 0;
+  double least = 1e300;
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    const double d = pattern::inside_polygon(outlines[k], p) ? 0 : distance_to(outlines[k], p);
+    if (d < least) least = d, best = k;
+  }
+  return best;
 }
 
 }  // namespace
 
-DrawnPiece drawn_piece(const DxfPiece& piece, double metre) {
-  DrawnPiece result;
+std::vector<DrawnPiece> pieces_of_block(const DxfPiece& piece, double metre) {
   const DxfBlock& block = *piece.block;
-  result.name = piece.name;
-  Layered best = best_outline(block, metre, result);
-  result.outline = std::move(best.outline);
-  result.fault = std::move(best.fault);
-  result.notches = notch_points(block, metre);
-  result.fold = longest_axis(block, 6, metre);
-  result.grain = longest_axis(block, 7, metre);
-  if (!result.grain)
-    result.notes.push_back("it has no grain line (layer 7): the warp is taken along the file's y");
-  return result;
+  std::string fault;
+  std::vector<std::string> notes;
+  std::vector<Found> found = outlines_of(block, metre, fault, notes);
+  const bool none = found.empty();
+  if (none) found.emplace_back();
+  std::vector<std::vector<Vec2>> around;
+  for (const Found& one : found) around.push_back(polygon(one.outline));
+  const auto belongs = [&](std::size_t k, const Vec2& p) {
+    return none || outline_at(around, p) == k;
+  };
+  std::vector<DrawnPiece> pieces;
+  std::vector<bool> taken;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    DrawnPiece one;
+    one.name = piece.name;
+    one.fault = fault;
+    one.on_sew_line = found[k].on_sew_line;
+    if (k == 0)
+      one.notes = notes;
+    else
+      one.notes.push_back("a further outline of its block, of " +
+                          square_centimetres(found[k].outline) +
+                          ", is taken as a piece of its own");
+    if (!none) find_holes(block, found[k], metre, one, taken);
+    for (const Vec2& p : notch_points(block, metre))
+      if (belongs(k, p)) one.notches.push_back(p);
+    for (std::vector<Vec2>& mark : marks_on(block, 6, metre))
+      if (belongs(k, (mark.front() + mark.back()) / 2)) one.folds.push_back(std::move(mark));
+    // The longest line: others may be the heads of its arrow.
+    double longest = kSamePoint;
+    for (const std::vector<Vec2>& mark : marks_on(block, 7, metre))
+      if (const double length = (mark.back() - mark.front()).norm();
+          length > longest && belongs(k, (mark.front() + mark.back()) / 2))
+        longest = length, one.grain = Axis(mark.front(), mark.back());
+    if (!one.grain)
+      one.notes.push_back("it has no grain line (layer 7): the warp is taken along the file's y");
+    std::vector<std::string> texts = piece.texts;
+    texts.insert(texts.end(), {piece.annotation, piece.quantity});
+    if (one.folds.empty())
+      for (const std::string& text : texts)
+        if (pattern::words_of(text).fold)
+          one.notes.push_back("its text \"" + printable(text) +
+                              "\" speaks of a fold, but no mirror line (layer 6) says where: not "
+                              "unfolded");
+    one.outline = std::move(found[k].outline);
+    pieces.push_back(std::move(one));
+  }
+  return pieces;
 }
 
 }  // namespace loosefit::io

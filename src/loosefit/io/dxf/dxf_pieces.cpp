@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <optional>
 #include <utility>
 
 #include "loosefit/io/dxf/dxf_keys.h"
+#include "loosefit/io/pieces/cloth_words.h"
+#include "loosefit/io/pieces/quantity.h"
 
 namespace loosefit::io {
 namespace {
@@ -29,8 +30,10 @@ struct KeyValue {
   std::string key, value;
 };
 
+bool is_text(const DxfEntity& e) { return e.kind == "TEXT" || e.kind == "MTEXT"; }
+
 std::optional<KeyValue> key_value(const DxfEntity& e) {
-  if (e.kind != "TEXT" && e.kind != "MTEXT") return {};
+  if (!is_text(e)) return {};
   const std::size_t colon = e.text.find(':');
   if (colon == std::string::npos) return {};
   return KeyValue{dxf_key(trimmed(e.text.substr(0, colon))), trimmed(e.text.substr(colon + 1))};
@@ -54,44 +57,6 @@ std::string shortened(std::string s) {
 
 void set_once(std::string& to, const std::string& value) {
   if (to.empty()) to = shortened(value);
-}
-
-/// Runs of letters, small ones where they are Latin.
-std::vector<std::string> words_in(const std::string& text) {
-  std::vector<std::string> words(1);
-  for (const char c : text) {
-    const unsigned char u = c;
-    if (std::isalpha(u) || u >= 0x80)
-      words.back() += static_cast<char>(std::tolower(u));
-    else if (!words.back().empty())
-      words.emplace_back();
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
-/// Linings, interlinings and fusibles in English, German, French, Spanish, Italian, Portuguese and
-/// Dutch.
-bool is_other_cloth(const std::string& word) {
-  for (const char* begins :
-       {"lining", "interlin", "interfac", "fusible", "fusing", "futter", "einlage", "vlieseline",
-        "doublure", "entoil", "thermocoll", "entretela", "forro", "fodera", "voering"})
-    if (word.starts_with(begins)) return true;
-  return false;
-}
-
-bool is_own_cloth(const std::string& word) {
-  for (const char* is : {"self", "shell", "main", "outer", "body", "oberstoff"})
-    if (word == is) return true;
-  return false;
-}
-
-/// Words of any cloth: a garment's own one beside a lining ("Tela, forro"), no other than the
-/// lining where they stand with it ("Tela de forro").
-bool is_any_cloth(const std::string& word) {
-  for (const char* is : {"fabric", "tissu", "tela", "tecido", "tessuto", "stof", "stoff"})
-    if (word == is) return true;
-  return false;
 }
 
 /// Words of the parts of a text, which signs and words for "and" part.
@@ -121,27 +86,11 @@ bool says_nothing_of_cloth(const std::string& word) {
 
 bool is_known_text(const std::string& text) {
   const std::string key = dxf_key(trimmed(text.substr(0, text.find(':'))));
-  for (const char* known : {"piece name", "size", "quantity", "category", "fabric", "material",
-                            "annotation", "style name", "sample size", "units"})
+  if (counts_pieces(key)) return true;
+  for (const char* known : {"piece name", "size", "category", "fabric", "material", "annotation",
+                            "style name", "sample size", "units"})
     if (key == known) return true;
   return false;
-}
-
-bool parse_quantity(const std::string& text, PieceCount& count) {
-  count = {};
-  const std::size_t comma = text.find(',');
-  int numbers[2] = {0, 0};
-  for (int i = 0; i < (comma == std::string::npos ? 1 : 2); ++i) {
-    const std::string part = trimmed(i == 0 ? text.substr(0, comma) : text.substr(comma + 1));
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), numbers[i]);
-    if (error != std::errc() || end != part.data() + part.size() || numbers[i] < 0 ||
-        numbers[i] > 1000)
-      return false;
-  }
-  count = {numbers[0], numbers[1]};
-  // One number counts both hands.
-  if (comma == std::string::npos && numbers[0] % 2 == 0) count = {numbers[0] / 2, numbers[0] / 2};
-  return true;
 }
 
 std::string of_other_cloth(const DxfPiece& piece) {
@@ -186,10 +135,12 @@ DxfStyle find_pieces(const DxfDocument& document) {
     DxfPiece piece;
     piece.block = &block;
     for (const DxfEntity& e : block.entities)
-      if (const auto text = key_value(e)) {
+      if (is_text(e) && !key_value(e)) {
+        piece.texts.push_back(e.text);
+      } else if (const auto text = key_value(e)) {
         if (text->key == "piece name") set_once(piece.name, text->value);
         if (text->key == "size") set_once(piece.size, text->value);
-        if (text->key == "quantity") set_once(piece.quantity, text->value);
+        if (counts_pieces(text->key)) set_once(piece.quantity, text->value);
         if (text->key == "category") set_once(piece.category, text->value);
         if (text->key == "fabric" || text->key == "material") set_once(piece.fabric, text->value);
         if (text->key == "annotation") set_once(piece.annotation, text->value);

@@ -12,6 +12,7 @@ struct DxfPiece {
   std::string name;  ///< "Piece Name"; else of the block, without the size
   std::string size;  ///< "Size"; may be empty
   std::string category, fabric, annotation, quantity;  ///< as the file has them
+  std::vector<std::string> texts;                      ///< without a key: "CUT 2"
   const DxfBlock* block = nullptr;
 };
 
@@ -26,10 +27,6 @@ struct DxfStyle {
 /// Finds pieces and texts (ASTM D6673, "key: value" in any letter case). Keeps pointers into the
 /// document.
 DxfStyle find_pieces(const DxfDocument& document);
-
-/// "1", "2" (one as drawn, one mirrored), "1,1" (as drawn, mirrored), "0" (optional).
-/// \return false for anything else, and count is one as drawn.
-bool parse_quantity(const std::string& text, PieceCount& count);
 
 /// The text that says that the piece is cut from another cloth than the garment's, as linings,
 /// interlinings and fusibles are: 'Fabric "LINING"', "Tela de forro", "BODY LINING". Empty where

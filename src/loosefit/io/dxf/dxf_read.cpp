@@ -12,6 +12,7 @@
 #include "loosefit/io/dxf/dxf_drawn_piece.h"
 #include "loosefit/io/dxf/dxf_pieces.h"
 #include "loosefit/io/pieces/file_units.h"
+#include "loosefit/io/pieces/left_out.h"
 #include "loosefit/io/pieces/piece_collector.h"
 #include "loosefit/io/text_file.h"
 
@@ -148,41 +149,86 @@ std::vector<const DxfPiece*> of_own_cloth(const std::vector<const DxfPiece*>& pi
 }
 
 /// Counts what the blocks hold beyond what a panel is made of.
-void list_unused(const std::vector<const DxfPiece*>& pieces, const DxfDocument& document,
-                 bool sew_lines, std::vector<std::string>& unused) {
+void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::string>& unused) {
   std::map<int, std::map<std::string, int>> left;
   for (const DxfPiece* piece : pieces)
     for (const DxfEntity& e : piece->block->entities) {
       const bool text = e.kind == "TEXT" || e.kind == "MTEXT";
       const bool line = e.points.size() > 1;
       const bool used =
-          text ? is_known_text(e.text)
+          text ? is_known_text(e.text) || find_quantity(e.text)
                : (line && (e.layer == 1 || e.layer == 6 || e.layer == 7 || e.layer == 84 ||
-                           (e.layer == 14 && sew_lines))) ||
+                           e.layer == 14 || e.layer == 11)) ||
                      e.layer == 2 ||
                      ((e.layer == 4 || (e.layer >= 80 && e.layer <= 83)) && !e.points.empty());
-      if (!used) ++left[e.layer][e.kind];
+      // A symbol is told by the name of its block.
+      if (!used) ++left[e.layer][e.kind == "INSERT" ? "INSERT " + quoted(e.text) : e.kind];
     }
   for (const auto& [layer, kinds] : left) {
     std::vector<std::string> counts;
     for (const auto& [kind, count] : kinds)
-      counts.push_back(fmt::format("{} {}", count, printable(kind, 20)));
+      counts.push_back(fmt::format("{} {}", count, printable(kind, 60)));
     unused.push_back((layer < 0 ? std::string("layers whose name is no number")
                                 : fmt::format("layer {} ({})", layer, layer_meaning(layer))) +
                      ": " + join(counts));
   }
-  std::size_t loose = 0;
-  for (const DxfEntity& e : document.entities) loose += e.points.size() > 1;
-  if (loose > 0) unused.push_back(fmt::format("lines outside of blocks: {}", loose));
 }
 
-/// How often a piece is cut, by its quantity.
+/// Blocks and lines that are no pieces.
+void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, LeftOut& left) {
+  for (const DxfBlock& block : document.blocks) {
+    const bool taken = std::any_of(style.pieces.begin(), style.pieces.end(),
+                                   [&](const DxfPiece& piece) { return piece.block == &block; });
+    const bool closed =
+        std::any_of(block.entities.begin(), block.entities.end(),
+                    [](const DxfEntity& e) { return e.closed && e.points.size() > 2; });
+    if (taken || block.name.starts_with("*")) continue;
+    if (!closed)
+      left.count("blocks without an outline", block.name);
+    else
+      left.tell(fmt::format("block {} at line {}: left out, nothing is drawn on layer 1 or 84",
+                            quoted(block.name), block.line));
+  }
+  int loose = 0, closed = 0, first = 0;
+  for (const DxfEntity& e : document.entities) {
+    loose += e.points.size() > 1;
+    if (!e.closed || e.points.size() < 3) continue;
+    if (closed++ == 0) first = e.line;
+  }
+  if (closed > 0)
+    left.tell(
+        fmt::format("{} closed lines outside of blocks, the first at line {}: left out, "
+                    "pieces are blocks",
+                    closed, first));
+  if (loose > closed)
+    left.unused.push_back(fmt::format("lines outside of blocks: {}", loose - closed));
+}
+
+/// How often a piece is cut, by its quantity, else by an annotation or another text.
 PieceCount count_of(const DxfPiece& piece, std::vector<std::string>& warnings) {
-  PieceCount count;
-  if (!piece.quantity.empty() && !parse_quantity(piece.quantity, count))
-    warnings.push_back("piece " + printable(piece.name) + ": its quantity " +
-                       quoted(piece.quantity) + " is no number; taken as 1");
-  return count;
+  const std::string called = "piece " + printable(piece.name) + ": ";
+  std::optional<PieceCount> count;
+  if (!piece.quantity.empty()) {
+    count = read_quantity(piece.quantity);
+    if (!count) {
+      warnings.push_back(called + "its quantity " + quoted(piece.quantity) +
+                         " is no number; taken as 1");
+      count = PieceCount{};
+    }
+  }
+  std::vector<std::string> texts = piece.texts;
+  texts.insert(texts.begin(), piece.annotation);
+  for (const std::string& text : texts) {
+    const std::optional<PieceCount> said = find_quantity(text);
+    if (!said) continue;
+    if (!count)
+      count = said;
+    else if (said->as_drawn != count->as_drawn || said->mirrored != count->mirrored)
+      warnings.push_back(called + "it is said to be cut as " +
+                         quoted(count->said.empty() ? piece.quantity : count->said) + " and as " +
+                         quoted(said->said) + ": the first is taken");
+  }
+  return count.value_or(PieceCount{});
 }
 
 }  // namespace
@@ -217,17 +263,24 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
     result.about.push_back(fmt::format("size {} of {}{}", printable(size),
                                        printable(join(style.sizes), 300),
                                        size == style.sample_size ? ", the sample size" : ""));
-  std::vector<DrawnPiece> drawn;
-  for (const DxfPiece* piece : pieces) drawn.push_back(drawn_piece(*piece, units.metre));
+  std::vector<CountedPiece> drawn;
+  for (const DxfPiece* piece : pieces) {
+    const PieceCount count = count_of(*piece, result.warnings);
+    for (DrawnPiece& one : pieces_of_block(*piece, units.metre))
+      drawn.push_back({std::move(one), count, fmt::format("block at line {}", piece->block->line)});
+  }
   std::vector<DrawnPiece*> pointers;
-  for (DrawnPiece& piece : drawn) pointers.push_back(&piece);
+  for (CountedPiece& one : drawn) pointers.push_back(&one.piece);
   point_grains_up(pointers);
   PieceCollector collector(result);
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    collector.add(std::move(drawn[i]), count_of(*pieces[i], result.warnings),
-                  fmt::format("block at line {}", pieces[i]->block->line));
+  for (CountedPiece& one : drawn) collector.add(std::move(one.piece), one.count, one.place);
   collector.finish(file, "sew line (layer 14)");
-  list_unused(pieces, document, true, result.unused);
+  LeftOut left;
+  list_what_is_no_piece(document, style, left);
+  left.sum_up();
+  list_unused(pieces, left.unused);
+  result.unused.insert(result.unused.end(), left.unused.begin(), left.unused.end());
+  result.warnings.insert(result.warnings.end(), left.warnings.begin(), left.warnings.end());
   if (all.size() < style.pieces.size())
     result.unused.push_back(
         fmt::format("{} pieces of other sizes", style.pieces.size() - all.size()));

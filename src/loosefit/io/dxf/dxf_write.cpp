@@ -13,6 +13,7 @@
 #include "loosefit/pattern/curve.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/pattern_check.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
@@ -130,16 +131,25 @@ std::string block_name(const std::string& name, std::vector<std::string>& taken)
   return unique;
 }
 
+Vec2 middle_of(const std::vector<Vec2>& points) {
+  Vec2 sum = Vec2::Zero();
+  for (const Vec2& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 /// The longest part within the piece of the vertical line through its middle, a little shortened.
 std::pair<Vec2, Vec2> grain_in(const pattern::Panel& panel, const Extent& extent) {
-  const std::vector<Vec2> outline = pattern::outline_polygon(panel);
   const double x = 0.5 * (extent.low.x() + extent.high.x());
   std::vector<double> crossings;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    if ((a.x() > x) == (b.x() > x)) continue;
-    crossings.push_back(a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
-  }
+  const auto cross = [&](const std::vector<Vec2>& line) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];
+      if ((a.x() > x) == (b.x() > x)) continue;
+      crossings.push_back(a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
+    }
+  };
+  cross(pattern::outline_polygon(panel));
+  for (const pattern::PanelHole& hole : panel.holes) cross(hole.points);
   std::sort(crossings.begin(), crossings.end());
   double low = extent.low.y(), high = extent.high.y(), longest = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
@@ -204,6 +214,14 @@ std::string dxf_text(const pattern::Pattern& pattern, const std::vector<pattern:
     for (const int layer : {1, 14})
       for (const pattern::PanelEdge& edge : panel.edges)
         out.polyline(layer, all_placed(chords(panel, edge)), false);
+    // A text in a cutout names it.
+    for (const pattern::PanelHole& hole : panel.holes) {
+      out.polyline(11, all_placed(hole.points), true);
+      const Vec2 middle = middle_of(hole.points);
+      const bool says_hole = pattern::words_of(hole.name).hole;
+      if (pattern::inside_polygon(hole.points, middle))
+        out.text(11, placed(middle), (says_hole ? "" : "hole ") + one_line(hole.name));
+    }
     for (const pattern::PanelEdge& edge : panel.edges) {
       out.entity("POINT", 2);
       out.at(placed(panel.vertices[edge.start]));

@@ -3,14 +3,23 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
+#include "loosefit/base/text.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
 
-constexpr double kShareOfFold = 0.25;  // of a half piece's length that lies on its fold
+constexpr double kShareOfFold = 0.25;    // of a half piece's length that lies on its fold
+constexpr double kSmallestPiece = 4e-4;  // [m²]
+
+double distance(const std::vector<Vec2>& outline, const Vec2& p) {
+  return (pattern::closest_on_polygon(outline, p) - p).norm();
+}
 
 /// Most of the piece lies on one side of the line and a good part of its outline on it.
 bool begins_at(const std::vector<Vec2>& points, const Axis& middle) {
@@ -45,32 +54,149 @@ bool other_hand_stands_in(const std::set<std::string>& parts, const std::string&
                      [&](const std::string& part) { return lower(part) == other; });
 }
 
+std::string called(const FreesewingLine& line) {
+  return (line.name.empty() ? "line " : "line \"" + printable(line.name) + "\" ") + line.place;
+}
+
+/// Halves may be drawn open at the fold, where nothing is sewn.
+std::vector<Vec2> around(const FreesewingLine& line) {
+  std::vector<Vec2> points = line.line.points;
+  if (points.size() > 2 && (points.front() - points.back()).norm() < kChainGap) points.pop_back();
+  return points;
+}
+
+bool is_closed(const FreesewingLine& line) {
+  return line.line.closed ||
+         (line.line.points.size() > 3 &&
+          (line.line.points.front() - line.line.points.back()).norm() < kChainGap);
+}
+
+double area_of(const FreesewingLine& line) {
+  return std::abs(pattern::signed_area(line.line.points));
+}
+
+bool may_be_outline(const FreesewingLine& line) { return line.line.points.size() > 2; }
+
+/// How often the texts say that it is cut, if they do.
+std::optional<PieceCount> count_in(const std::vector<std::string>& texts,
+                                   std::vector<std::string>& notes) {
+  std::optional<PieceCount> count;
+  for (const std::string& text : texts) {
+    const std::optional<PieceCount> one = find_quantity(text);
+    if (!one) continue;
+    if (!count)
+      count = one;
+    else if (one->as_drawn != count->as_drawn || one->mirrored != count->mirrored)
+      notes.push_back("its texts say \"" + printable(count->said, 60) + "\" and \"" +
+                      printable(one->said, 60) + "\": the first is taken");
+  }
+  return count;
+}
+
 }  // namespace
 
-DrawnPiece drawn_freesewing(FreesewingPart part, bool marked, const std::set<std::string>& parts,
-                            PieceCount& count) {
-  DrawnPiece piece;
+bool FreesewingPart::has_outline() const {
+  return std::any_of(lines.begin(), lines.end(), may_be_outline);
+}
+
+std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool marked,
+                                           const std::set<std::string>& parts, LeftOut& left) {
+  const std::string in_part = "part " + printable(part.name) + ": ";
+  // The largest line first; those of fabric before all others.
+  std::vector<const FreesewingLine*> lines;
+  for (const FreesewingLine& line : part.lines)
+    if (may_be_outline(line)) lines.push_back(&line);
+  std::stable_sort(lines.begin(), lines.end(), [](const auto* a, const auto* b) {
+    return std::pair(!a->fabric, -area_of(*a)) < std::pair(!b->fabric, -area_of(*b));
+  });
+  if (lines.empty()) return {};
+
+  std::vector<const FreesewingLine*> outlines;  // of its pieces
+  std::vector<std::vector<Vec2>> outer;
+  std::vector<std::vector<pattern::PanelHole>> holes;
+  for (const FreesewingLine* line : lines) {
+    const std::vector<Vec2> points = around(*line);
+    if (outlines.empty()) {
+      outlines.push_back(line), outer.push_back(points), holes.emplace_back();
+      continue;
+    }
+    if (!line->fabric || !is_closed(*line)) {
+      // A line that is open and encloses little is a dart, a pleat or a placket.
+      if (is_closed(*line) && area_of(*line) >= kSmallestPiece)
+        left.tell(in_part + "closed " + called(*line) + " is not used, it has no class \"fabric\"");
+      else
+        left.unused.push_back(in_part + called(*line) + " is not used, it is " +
+                              (is_closed(*line) ? "small" : "open"));
+      continue;
+    }
+    if (area_of(*line) < kSmallestPiece) {
+      left.tell(in_part + "closed " + called(*line) + " is not used, it has less than 4 cm2");
+      continue;
+    }
+    bool crosses = false;
+    std::size_t within = outer.size();
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+      const auto inside = std::count_if(points.begin(), points.end(), [&](const Vec2& p) {
+        return pattern::inside_polygon(outer[k], p) || distance(outer[k], p) < kChainGap;
+      });
+      if (inside == static_cast<std::ptrdiff_t>(points.size()))
+        within = k;
+      else
+        crosses |= std::any_of(points.begin(), points.end(), [&](const Vec2& p) {
+          return pattern::inside_polygon(outer[k], p) && distance(outer[k], p) > kChainGap;
+        });
+    }
+    if (within < outer.size())
+      holes[within].push_back({line->name.empty() ? "hole" : line->name, points});
+    else if (crosses)
+      left.tell(in_part + "closed " + called(*line) + " is not used, it crosses the outline");
+    else
+      outlines.push_back(line), outer.push_back(points), holes.emplace_back();
+  }
+
   const bool one_hand = other_hand_stands_in(parts, part.name);
   const std::size_t dot = part.name.rfind('.');
-  piece.name = dot == std::string::npos ? part.name : part.name.substr(dot + 1);
-  const pattern::PieceWords words = pattern::words_of(piece.name);
-  piece.notches = std::move(part.notches);
-  piece.grain = part.grain;
-  piece.fold = part.fold;
-  piece.on_sew_line = true;
-  // Halves may be drawn open at the fold, where nothing is sewn.
-  std::vector<Vec2>& points = part.seam.points;
-  if (points.size() > 2 && (points.front() - points.back()).norm() < kChainGap) points.pop_back();
-  if (!piece.fold && !marked && !one_hand && (words.front || words.back) &&
-      begins_at(points, part.middle))
-    piece.fold = part.middle;
-  count = {};
-  if (!piece.fold && !one_hand &&
-      (words.sleeve || words.cuff || words.leg || words.front || words.back ||
-       (words.hood && !words.centre)))
-    count.mirrored = 1;
-  set_outline(piece, std::move(points), part.nodes);
-  return piece;
+  std::vector<CountedPiece> pieces;
+  for (std::size_t k = 0; k < outlines.size(); ++k) {
+    CountedPiece one;
+    DrawnPiece& piece = one.piece;
+    one.place = outlines[k]->place;
+    piece.name = dot == std::string::npos ? part.name : part.name.substr(dot + 1);
+    const pattern::PieceWords words = pattern::words_of(piece.name);
+    piece.grain = part.grain;
+    piece.on_sew_line = true;
+    piece.holes = std::move(holes[k]);
+    const auto nearest = [&](const Vec2& p) {
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < outer.size(); ++i)
+        if (distance(outer[i], p) < distance(outer[best], p)) best = i;
+      return best;
+    };
+    std::copy_if(part.notches.begin(), part.notches.end(), std::back_inserter(piece.notches),
+                 [&](const Vec2& p) { return nearest(p) == k; });
+    for (const std::vector<Vec2>& fold : part.folds)
+      if (nearest((fold.front() + fold.back()) / 2) == k) piece.folds.push_back(fold);
+    if (piece.folds.empty() && !marked && !one_hand && (words.front || words.back) &&
+        begins_at(outer[k], part.middle))
+      piece.folds.push_back({part.middle.first, part.middle.second});
+    if (const auto said = count_in(part.texts, piece.notes))
+      one.count = *said;
+    else if (k == 0 && piece.folds.empty() && !one_hand &&
+             (words.sleeve || words.cuff || words.leg || words.front || words.back ||
+              (words.hood && !words.centre)))
+      one.count.mirrored = 1;
+    if (k > 0)
+      piece.notes.push_back("a further outline of its part, " + called(*outlines[k]) +
+                            ", is taken as a piece of its own");
+    if (piece.folds.empty())
+      for (const std::string& text : part.texts)
+        if (pattern::words_of(text).fold)
+          piece.notes.push_back("its text \"" + printable(text, 60) +
+                                "\" speaks of a fold, but no mark says where: not unfolded");
+    set_outline(piece, outer[k], outlines[k]->nodes);
+    pieces.push_back(std::move(one));
+  }
+  return pieces;
 }
 
 }  // namespace loosefit::io

@@ -24,15 +24,22 @@ void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::s
   PiecePanel made = panel_of_piece(std::move(drawn));
   if (!made.fault.empty()) {
     warn(fmt::format("{} ({}): left out, {}", called, place, printable(made.fault, 300)));
+    result_.unused.push_back(fmt::format("{} ({}): {}", called, place, printable(made.fault, 300)));
     return;
   }
   for (const std::string& note : made.notes) warn(called + ": " + note);
   (made.on_sew_line ? on_sew_line_ : on_cut_line_) += 1;
-  unfolded_ += made.unfolded;
+  unfolded_ += made.unfolded > 0;
+  const std::string said =
+      count.said.empty() ? std::string() : " (\"" + printable(count.said, 100) + "\")";
+  if (!count.doubt.empty())
+    warn(fmt::format("{}: its count \"{}\" is read as {}", called, printable(count.said, 100),
+                     count.doubt));
   if (count.as_drawn > 1 || count.mirrored > 1)
-    warn(fmt::format("{}: it is cut {} times; one {}is taken, further ones are not", called,
-                     count.as_drawn + count.mirrored,
+    warn(fmt::format("{}: it is cut {} times{}; one {}is taken, further ones are not", called,
+                     count.as_drawn + count.mirrored, said,
                      count.as_drawn > 0 && count.mirrored > 0 ? "of each hand " : ""));
+  tell(called, place, made, count);
   for (const pattern::PanelEdge& edge : made.panel.edges) points_ += edge.curves.size();
   if (points_ > kMostPoints)
     throw InvalidInput(called, fmt::format("at most {} points in all pieces", kMostPoints));
@@ -42,6 +49,22 @@ void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::s
     if (count.as_drawn > 0) twin.panel.name += "_mirrored", ++twins_;
     lay_beside(std::move(twin));
   }
+}
+
+void PieceCollector::tell(const std::string& called, const std::string& place,
+                          const PiecePanel& made, const PieceCount& count) {
+  std::vector<std::string> how{made.on_sew_line ? "its sew line" : "its outline"};
+  if (made.unfolded > 0)
+    how.push_back(made.unfolded == 1 ? "unfolded at its fold line"
+                                     : fmt::format("unfolded at {} fold lines", made.unfolded));
+  for (const pattern::PanelHole& hole : made.panel.holes)
+    how.push_back("hole \"" + printable(hole.name) + "\" cut");
+  if (!made.notches.empty()) how.push_back(fmt::format("{} notches", made.notches.size()));
+  how.push_back(count.as_drawn > 0 && count.mirrored > 0 ? "once as drawn, once mirrored"
+                : count.mirrored > 0                     ? "once mirrored"
+                                                         : "once");
+  if (!count.said.empty()) how.back() += " (\"" + printable(count.said, 100) + "\")";
+  result_.used.push_back(fmt::format("{} ({}): {}", called, place, join(how)));
 }
 
 void PieceCollector::finish(const std::string& file, const std::string& sew_line) {

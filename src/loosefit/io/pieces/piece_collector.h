@@ -2,12 +2,13 @@
 #include <string>
 
 #include "loosefit/io/pattern_file.h"
-#include "loosefit/io/pieces/drawn_piece.h"
+#include "loosefit/io/pieces/piece_panel.h"
 
 namespace loosefit::io {
 
 /// Gathers the pieces of a file that draws them: side by side, mirrored where they are cut for both
-/// hands. What cannot be cloth is left out with a warning, optional pieces with a note.
+/// hands. What cannot be cloth is left out with a warning, optional pieces with a note. Keeps the
+/// account of the file: what became of every piece goes to `used` or to `unused`.
 class PieceCollector {
  public:
   explicit PieceCollector(PatternFile& result) : result_(result) {}
@@ -20,6 +21,8 @@ class PieceCollector {
 
  private:
   void warn(const std::string& warning) { result_.warnings.push_back(warning); }
+  void tell(const std::string& called, const std::string& place, const PiecePanel& made,
+            const PieceCount& count);
   void lay_beside(PiecePanel piece);
 
   PatternFile& result_;

@@ -177,31 +177,11 @@ Outline cleaned(Outline loop) {
   return loop;
 }
 
-Fold unfold(Outline& loop, const Vec2& a, const Vec2& b) {
-  const Vec2 along = (b - a).normalized(), across(-along.y(), along.x());
-  if (!along.allFinite() || loop.size() < 3) return Fold::beside;
-  const std::size_t n = loop.size();
-  const auto height = [&](std::size_t i) { return across.dot(loop[i % n].at - a); };
-  double low = 0, high = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    low = std::min(low, height(i)), high = std::max(high, height(i));
-  if (low < -kOnAxis && high > kOnAxis) return Fold::whole;
-  // The longest run of points on the axis.
-  const auto on_axis = [&](std::size_t i) { return std::abs(height(i)) < kOnAxis; };
-  std::size_t start = 0, count = 0;
-  double longest = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!on_axis(i) || on_axis(i + n - 1)) continue;  // a run begins here
-    std::size_t end = i;
-    while (end - i < n && on_axis(end + 1)) ++end;
-    const double length = (loop[end % n].at - loop[i].at).norm();
-    if (length > longest) longest = length, start = i, count = end - i;
-  }
-  if (longest < kShortestFold) return Fold::beside;
-  // From the end of the run on round to its begin, and back mirrored.
+namespace {
+
+/// Part of an outline from the end of one run on an axis to the begin of the next, and its image.
+Outline with_image(Outline half, const Vec2& a, const Vec2& across) {
   const auto mirrored = [&](const Vec2& p) -> Vec2 { return p - 2 * across.dot(p - a) * across; };
-  Outline half;
-  for (std::size_t i = start + count; i <= start + n; ++i) half.push_back(loop[i % n]);
   // Other points on the axis come to lie on their own images: a piece that hangs together by a
   // point is then refused as one that crosses itself.
   for (OutlinePoint& p : half)
@@ -214,7 +194,47 @@ Fold unfold(Outline& loop, const Vec2& a, const Vec2& b) {
   whole[0].corner = turn_deg(whole[m - 1].at, whole[0].at, whole[1].at) > kKinkAtTurnPoint;
   whole[fold].corner =
       turn_deg(whole[fold - 1].at, whole[fold].at, whole[(fold + 1) % m].at) > kKinkAtTurnPoint;
-  loop = std::move(whole);
+  return whole;
+}
+
+}  // namespace
+
+Fold unfold(Outline& loop, const Vec2& a, const Vec2& b, std::vector<Outline>& holes) {
+  const Vec2 along = (b - a).normalized(), across(-along.y(), along.x());
+  if (!along.allFinite() || loop.size() < 3) return Fold::beside;
+  const std::size_t n = loop.size();
+  const auto height = [&](std::size_t i) { return across.dot(loop[i % n].at - a); };
+  double low = 0, high = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    low = std::min(low, height(i)), high = std::max(high, height(i));
+  if (low < -kOnAxis && high > kOnAxis) return Fold::whole;
+  // Runs of points on the axis, by their first and last ones, in the order of the outline.
+  const auto on_axis = [&](std::size_t i) { return std::abs(height(i)) < kOnAxis; };
+  std::vector<std::pair<std::size_t, std::size_t>> runs;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!on_axis(i) || on_axis(i + n - 1)) continue;  // a run begins here
+    std::size_t end = i;
+    while (end - i < n && on_axis(end + 1)) ++end;
+    if ((loop[end % n].at - loop[i].at).norm() >= kShortestFold) runs.emplace_back(i, end);
+  }
+  if (runs.empty()) return Fold::beside;
+  // What leads from the end of a run to the begin of the next closes with its image. The largest is
+  // the outline, the others go round holes.
+  std::vector<Outline> closed;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::size_t last = k + 1 < runs.size() ? runs[k + 1].first : runs[0].first + n;
+    Outline half;
+    for (std::size_t i = runs[k].second; i <= last; ++i) half.push_back(loop[i % n]);
+    if (half.size() > 2) closed.push_back(with_image(std::move(half), a, across));
+  }
+  if (closed.empty()) return Fold::beside;
+  const auto largest =
+      std::max_element(closed.begin(), closed.end(), [](const Outline& p, const Outline& q) {
+        return std::abs(outline_area(p)) < std::abs(outline_area(q));
+      });
+  loop = std::move(*largest);
+  closed.erase(largest);
+  for (Outline& hole : closed) holes.push_back(std::move(hole));
   return Fold::unfolded;
 }
 

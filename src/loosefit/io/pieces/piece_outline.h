@@ -54,9 +54,11 @@ double outline_area(const Outline& loop);
 /// How a piece lies to its mirror line.
 enum class Fold { unfolded, whole, beside };
 
-/// Unfolds a half piece: the part of the outline along the axis from a to b goes, the rest is
-/// mirrored and joined; edges that meet at the fold without a kink become one. `whole`: the outline
-/// lies on both sides, the line is one of symmetry; `beside`: no part of the outline lies on it.
-Fold unfold(Outline& loop, const Vec2& a, const Vec2& b);
+/// Unfolds a half piece: the parts of the outline along the axis from a to b go, the rest is
+/// mirrored and joined; edges that meet at the fold without a kink become one. Where the outline
+/// leaves the axis between two such parts, a hole closes, which goes to `holes`. `whole`: the
+/// outline lies on both sides, the line is one of symmetry; `beside`: no part of the outline lies
+/// on it.
+Fold unfold(Outline& loop, const Vec2& a, const Vec2& b, std::vector<Outline>& holes);
 
 }  // namespace loosefit::io

@@ -10,6 +10,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/pieces/quantity.h"
 #include "loosefit/io/svg/svg_style.h"
 #include "loosefit/io/xml_tree.h"
 
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t kMostShapes = 100'000;
 constexpr int kMostUses = 8, kMostUsed = 2000;  // of uses within each other, and of all
+constexpr std::size_t kMostWords = 500;         // bytes of a text
 
 std::string in_quotes(const std::string& name) { return '"' + printable(name) + '"'; }
 
@@ -44,6 +46,36 @@ std::string called(const XmlElement& e) {
   if (const int count = shapes_in(e); count > 0 && !is_shape(e.name))
     text += fmt::format(" ({} {})", count, count == 1 ? "shape" : "shapes");
   return text;
+}
+
+/// All words in an element, with a blank between those of its parts.
+std::string words_in_element(const XmlElement& e) {
+  std::string words = e.text;
+  for (const XmlElement& child : e.children) words += " " + words_in_element(child);
+  return words;
+}
+
+bool has_path(const XmlElement& e) {
+  return e.name == "textPath" || std::any_of(e.children.begin(), e.children.end(), has_path);
+}
+
+/// Title and description of an element.
+std::vector<std::string> said_of(const XmlElement& e) {
+  std::vector<std::string> said;
+  for (const XmlElement& child : e.children)
+    if (child.name == "title" || child.name == "desc")
+      said.push_back(words_in_element(child).substr(0, kMostWords));
+  return said;
+}
+
+/// Value of an attribute that counts pieces: quantity, data-quantity, inkscape:cut, …
+std::string quantity_of(const XmlElement& e) {
+  for (const auto& [name, value] : e.attributes) {
+    std::string key = name.substr(name.find(':') == std::string::npos ? 0 : name.find(':') + 1);
+    if (key.starts_with("data-")) key.erase(0, 5);
+    if (counts_pieces(key)) return value.substr(0, kMostWords);
+  }
+  return {};
 }
 
 class Reader {
@@ -124,7 +156,7 @@ class Reader {
     if (e.name == "symbol" && !by_use) return;
     const bool container = e.name == "g" || e.name == "a" || e.name == "svg" ||
                            e.name == "switch" || e.name == "symbol";
-    const bool drawn = container || is_shape(e.name);
+    const bool drawn = container || is_shape(e.name) || e.name == "text";
     if (by_use) shown_.insert(&e);
     if (drawn) {
       if (const SvgStyles::Value display = styles_.property(e, "display");
@@ -141,6 +173,7 @@ class Reader {
     }
     const bool hidden =
         is(inherited.visibility.text, "hidden") || is(inherited.visibility.text, "collapse");
+    if (hidden && e.name == "text") return;
     if (hidden && is_shape(e.name) && e.name != "use")
       return leave("hidden by " + inherited.visibility.from +
                        " (visibility: " + printable(inherited.visibility.text, 20) + ")",
@@ -154,17 +187,21 @@ class Reader {
       std::vector<int> inner = groups;
       inner.push_back(static_cast<int>(document_.groups.size()));
       document_.groups.push_back({e.attribute("id"), e.attribute("inkscape:label"),
-                                  e.attribute("inkscape:groupmode") == "layer", place});
+                                  e.attribute("inkscape:groupmode") == "layer", place,
+                                  quantity_of(e), said_of(e)});
       for (const XmlElement& child : e.children) element(child, place, inner, inherited, false);
       return;
     }
     if (e.name == "use") return use(e, place, groups, inherited);
+    if (e.name == "text") return text(e, place, groups);
     SvgShape shape;
     if (!draw(e, shape)) return;
     shape.kind = e.name;
     shape.id = e.attribute("id");
     shape.label = e.attribute("inkscape:label");
     shape.classes = e.attribute("class");
+    shape.quantity = quantity_of(e);
+    shape.said = said_of(e);
     shape.marker = styles_.property(e, "marker-start").text;
     if (shape.marker.empty() || shape.marker == "none")
       shape.marker = styles_.property(e, "marker-end").text;
@@ -225,6 +262,29 @@ class Reader {
     }
     fit.translate(shift).scale(scale).translate(Vec2(-view[0], -view[1]));
     return fit;
+  }
+
+  void text(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups) {
+    SvgText text;
+    text.words = words_in_element(e).substr(0, kMostWords);
+    if (text.words.find_first_not_of(" \t\r\n") == std::string::npos) return;
+    // The first of the elements that says where it stands.
+    const XmlElement* first = &e;
+    while (first->attribute("x").empty() && !first->children.empty() &&
+           first->children[0].name == "tspan")
+      first = &first->children[0];
+    if (!has_path(e)) {
+      const auto start = [&](const char* key) {
+        XmlElement one = *first;
+        std::string& list = one.attributes[key];
+        list.resize(std::min(list.find_first_of(" ,"), list.size()));
+        return length(one, key);
+      };
+      text.at = place * Vec2(start("x"), start("y"));
+    }
+    text.groups = groups;
+    text.line = e.line;
+    if (document_.texts.size() < kMostShapes) document_.texts.push_back(std::move(text));
   }
 
   void use(const XmlElement& e, const SvgAffine& place, const std::vector<int>& groups,
@@ -290,7 +350,7 @@ class Reader {
       run.closed = e.name == "polygon";
       shape.runs = {run};
     } else {
-      if (e.name == "text" || e.name == "image" || e.name == "foreignObject") ++counts_[e.name];
+      if (e.name == "image" || e.name == "foreignObject") ++counts_[e.name];
       return false;
     }
     return !shape.runs.empty();

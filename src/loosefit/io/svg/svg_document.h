@@ -17,17 +17,30 @@ struct SvgShape {
   std::vector<int> groups;  ///< indices into SvgDocument::groups round it, the outermost first
   int line = 0;             ///< of the file
   std::vector<SvgRun> runs;
+  std::string quantity;           ///< an attribute that counts it (quantity.h); may be empty
+  std::vector<std::string> said;  ///< its title and description
+};
+
+/// A text of a drawing.
+struct SvgText {
+  std::string words;
+  std::optional<Vec2> at;   ///< where it begins; none: along a path
+  std::vector<int> groups;  ///< as SvgShape::groups
+  int line = 0;
 };
 
 struct SvgGroup {
   std::string id, label;
-  bool layer = false;  ///< a layer of Inkscape
-  SvgAffine place;     ///< of what is in it
+  bool layer = false;         ///< a layer of Inkscape
+  SvgAffine place;            ///< of what is in it
+  std::string quantity = {};  ///< as those of SvgShape
+  std::vector<std::string> said = {};
 };
 
 /// What an SVG file draws.
 struct SvgDocument : SvgPage {
   std::vector<SvgShape> shapes;
+  std::vector<SvgText> texts;
   std::vector<SvgGroup> groups;
   bool freesewing = false;          ///< FreeSewing wrote it
   std::vector<std::string> unused;  ///< what is not read, by name, with the reason

@@ -3,20 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/pieces/freesewing_piece.h"
+#include "loosefit/io/svg/svg_labels.h"
 #include "loosefit/io/svg/svg_lines.h"
-#include "loosefit/pattern/outline.h"
 
 namespace loosefit::io {
 namespace {
 
-constexpr double kBeforeAllOthers = 1e6;          // [m²]
 constexpr std::string_view kPartMark = "-part-";  // in the id of a part of FreeSewing
 constexpr const char* kOtherLines[] = {"sa", "help", "hidden", "dashed", "lashed", "dotted"};
 
@@ -29,12 +27,9 @@ bool has_class(const SvgShape& shape, const std::string& wanted) {
 
 }  // namespace
 
-std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit,
-                                        std::vector<std::string>& unused) {
+std::vector<CountedPiece> freesewing_pieces(const SvgDocument& document, double unit,
+                                            LeftOut& left) {
   std::map<int, FreesewingPart> parts;
-  std::map<int, int> line_of;
-  std::map<int, double> largest_of;
-  std::map<std::string, int> left;
   bool marked = false;
   for (const SvgShape& shape : document.shapes)
     marked = marked || shape.marker.find("cutonfold") != std::string::npos ||
@@ -45,25 +40,29 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
   const auto part_name = [](const SvgGroup& group) {
     return group.id.substr(group.id.find(kPartMark) + kPartMark.size()).substr(0, 100);
   };
-  const auto part_group = [&](const SvgShape& shape) {
-    for (std::size_t k = shape.groups.size(); k-- > 0;)
-      if (is_part(document.groups[shape.groups[k]])) return shape.groups[k];
+  const auto part_of = [&](const std::vector<int>& groups) {
+    for (std::size_t k = groups.size(); k-- > 0;)
+      if (is_part(document.groups[groups[k]])) return groups[k];
     return -1;
   };
   for (const SvgShape& shape : document.shapes) {
-    const int g = part_group(shape);
+    const int g = part_of(shape.groups);
+    const std::string place = fmt::format("at line {}", shape.line);
     if (g < 0) {
-      if (has_class(shape, "fabric")) ++left["lines of class \"fabric\" in no part"];
+      if (has_class(shape, "fabric"))
+        left.tell("line of class \"fabric\" " + place + ": it stands in no part");
+      else if (!shape.classes.empty())
+        left.count("lines of class \"" + printable(shape.classes, 60) + "\" in no part");
       continue;
     }
     FreesewingPart& part = parts[g];
     if (part.name.empty()) {
       const SvgGroup& group = document.groups[g];
       part.name = part_name(group);
+      part.place = place;
       const std::vector<Vec2> middle =
           in_metres({group.place * Vec2(0, 0), group.place * Vec2(0, 1)}, unit);
       part.middle = {middle[0], middle[1]};
-      line_of[g] = shape.line;
     }
     if (shape.kind == "notch") {
       part.notches.push_back(in_metres({shape.runs[0].start}, unit)[0]);
@@ -73,7 +72,10 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
     if (fold || shape.marker.find("grainline") != std::string::npos) {
       const SampledRun line = sampled_in_metres(shape.runs[0], unit);
       const Axis axis(line.points.front(), line.points.back());
-      if ((axis.second - axis.first).norm() > kSamePoint) (fold ? part.fold : part.grain) = axis;
+      if (fold && line.nodes.size() > 1)
+        part.folds.push_back(line.nodes);
+      else if (!fold && (axis.second - axis.first).norm() > kSamePoint)
+        part.grain = axis;
       continue;
     }
     // Some designs leave the class of a part's outline away.
@@ -81,40 +83,35 @@ std::vector<SvgPiece> freesewing_pieces(const SvgDocument& document, double unit
     const bool other = std::any_of(std::begin(kOtherLines), std::end(kOtherLines),
                                    [&](const char* c) { return has_class(shape, c); });
     if ((!fabric && !plain) || other) {
-      ++left[has_class(shape, "sa") ? "seam allowances" : "other lines"];
+      left.count(has_class(shape, "sa") ? std::string("seam allowances")
+                                        : "lines of class \"" + printable(shape.classes, 60) + '"');
       continue;
     }
-    // Of several the one that encloses most; one of fabric before all others.
-    double& largest = largest_of[g];
     for (const SvgRun& run : shape.runs) {
       SampledRun line = sampled_in_metres(run, unit);
-      if (line.points.size() < 3) continue;
-      const double area =
-          std::abs(pattern::signed_area(line.points)) + (fabric ? kBeforeAllOthers : 0);
-      if (area <= largest) continue;
-      largest = area;
-      part.seam.points = std::move(line.points);
-      part.nodes = std::move(line.nodes);
+      part.lines.push_back({{std::move(line.points), line.closed, true},
+                            std::move(line.nodes),
+                            own_name(shape.label, shape.id),
+                            fabric,
+                            place});
     }
   }
-  for (const auto& [what, count] : left) unused.push_back(fmt::format("{}: {}", what, count));
+  for (const SvgText& text : document.texts)
+    if (const auto part = parts.find(part_of(text.groups)); part != parts.end())
+      part->second.texts.push_back(text.words);
   for (std::size_t g = 0; g < document.groups.size(); ++g)
     if (is_part(document.groups[g]) && !parts.contains(static_cast<int>(g)))
-      unused.push_back("part " + printable(part_name(document.groups[g])) + ": it is empty");
+      left.unused.push_back("part " + printable(part_name(document.groups[g])) + ": it is empty");
   std::set<std::string> names;
   for (const auto& [group, part] : parts)
-    if (!part.seam.points.empty()) names.insert(part.name);
-  std::vector<SvgPiece> pieces;
-  for (auto& [group, part] : parts) {
-    if (part.seam.points.empty()) {
-      unused.push_back("part " + printable(part.name) +
-                       ": it has no closed path of class \"fabric\"");
-      continue;
-    }
-    SvgPiece piece;
-    piece.line = line_of[group];
-    piece.piece = drawn_freesewing(std::move(part), marked, names, piece.count);
-    pieces.push_back(std::move(piece));
+    if (part.has_outline()) names.insert(part.name);
+  std::vector<CountedPiece> pieces;
+  for (const auto& [group, part] : parts) {
+    if (!part.has_outline())
+      left.unused.push_back("part " + printable(part.name) +
+                            ": it has no closed path of class \"fabric\"");
+    for (CountedPiece& piece : drawn_freesewing(part, marked, names, left))
+      pieces.push_back(std::move(piece));
   }
   return pieces;
 }

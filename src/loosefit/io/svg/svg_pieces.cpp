@@ -11,6 +11,8 @@
 #include "loosefit/base/text.h"
 #include "loosefit/io/svg/svg_labels.h"
 #include "loosefit/io/svg/svg_lines.h"
+#include "loosefit/io/svg/svg_marks.h"
+#include "loosefit/io/svg/svg_nested.h"
 #include "loosefit/io/svg/svg_sizes.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
@@ -18,30 +20,18 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kSmallestPiece = 4e-4;  // [m²]
-constexpr double kShareOfPiece = 0.5;    // of a piece, what its sew line and its next sizes enclose
-constexpr double kNearOutline = 0.03;    // of notches and fold lines that have no group [m]
-constexpr double kWholePage = 0.95;      // of its width and height
 constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
-std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
-  std::optional<Axis> best;
-  double longest = kSamePoint;
-  for (const SvgRun& run : shape.runs) {
-    const std::vector<Vec2> nodes = sampled_in_metres(run, unit).nodes;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-      if (const double d = (nodes[i + 1] - nodes[i]).norm(); d > longest)
-        longest = d, best = Axis(nodes[i], nodes[i + 1]);
-  }
-  return best;
-}
+constexpr std::size_t kMostInner = 8;  // lines that one warning names
 
+/// Without what says how often it is cut; empty: it says nothing else.
 std::string clean_name(std::string name) {
   if (name.starts_with("panel-")) name.erase(0, 6);  // of our own sheets
   name = name.substr(0, 100);
-  return name;
+  std::string rest;
+  return find_quantity(name, &rest) ? rest : name;
 }
 
 class Sorter {
@@ -49,82 +39,107 @@ class Sorter {
   Sorter(const SvgDocument& document, double unit, const std::string& file, const std::string& size)
       : document_(document), unit_(unit), file_(file), size_(size) {}
 
-  std::vector<SvgPiece> sort(std::vector<std::string>& unused) {
-    gather();
-    drop_frames();
-    find_inner();
-    std::vector<SvgPiece> pieces;
+  std::vector<CountedPiece> sort(LeftOut& left) {
+    gather(left);
+    closed_ = without_frames(document_, std::move(closed_), unit_, left);
+    within_ = lines_round(document_, closed_);
+    hole_names_ = holes_by_text(document_, unit_, closed_, within_, left);
+    std::vector<CountedPiece> pieces;
     std::map<int, int> pieces_of_group;
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (within_[i] < 0) ++pieces_of_group[innermost(*closed_[i].shape)];
-    int within = 0, other_sizes = 0;
-    for (std::size_t i = 0; i < closed_.size(); ++i) {
-      if (within_[i] >= 0) {
-        ++within;
-        continue;
-      }
-      const std::vector<std::size_t> sizes = outlines_within(i);
-      const std::size_t cut = size_.empty() || sizes.empty() ? i : of_asked_size(i, sizes);
-      std::vector<std::size_t> others{i};
-      others.insert(others.end(), sizes.begin(), sizes.end());
-      others.erase(std::find(others.begin(), others.end(), cut));
-      SvgPiece piece;
-      const SvgShape& shape = *closed_[cut].shape;
-      piece.line = shape.line;
-      piece.of_size = !size_.empty() && !sizes.empty();
-      piece.piece.name = name_of(shape, others, pieces_of_group, pieces.size());
-      const SvgLine* outline = &closed_[cut];
-      if (const SvgLine* seam = sew_line(cut, others, piece.piece.notes))
-        outline = seam, piece.piece.on_sew_line = true, --within;
-      if (words(*outline->shape).seam) piece.piece.on_sew_line = true;
-      set_outline(piece.piece, outline->line.points, outline->line.nodes);
-      if (piece.of_size) {
-        within -= static_cast<int>(sizes.size());
-        other_sizes += static_cast<int>(sizes.size());
-      } else if (!sizes.empty()) {
-        piece.piece.notes.push_back(fmt::format(
-            "the largest of {} outlines that lie in each other is taken, not {}: a word of its "
-            "label picks one of another size (--size, in a scenario garment.size), and a sew line "
-            "is one that is called \"seam\"",
-            sizes.size() + 1, labels_of(sizes)));
-      }
-      groups_.push_back(pieces_of_group[innermost(shape)] == 1 ? innermost(shape) : -1);
-      outlines_.push_back(closed_[cut].line.points);
-      pieces.push_back(std::move(piece));
-    }
+      if (within_[i] < 0) ++pieces_of_group[innermost_group(*closed_[i].shape)];
+    for (std::size_t i = 0; i < closed_.size(); ++i)
+      if (within_[i] < 0)
+        pieces.push_back(piece_of_outline(i, pieces_of_group, pieces.size(), left));
     chain_groups(pieces, pieces_of_group);
-    const int marks = give_marks(pieces);
-    for (SvgPiece& piece : pieces)
-      if (!piece.piece.fold && pattern::words_of(piece.piece.name).fold)
-        piece.piece.notes.push_back(
-            "its name speaks of a fold, but no line called \"fold\" says where: not unfolded");
-    const int open = static_cast<int>(open_.size()) - chained_;
-    const auto tell = [&](int count, const char* what) {
-      if (count > 0) unused.push_back(fmt::format("{}: {}", what, count));
-    };
-    tell(within, "closed lines within pieces");
-    tell(other_sizes, "outlines of other sizes");
-    tell(small_, "closed lines of less than 4 cm2");
-    tell(open, "open lines that are no grain, fold or notch");
-    tell(marks, "marks that belong to no piece");
-    tell(sheets_, "frames, legends and test squares");
+    give_marks(document_, unit_, marks_, places_, pieces, left);
+    give_counts(document_, unit_, shapes_, places_, pieces);
+    for (int k = chained_; k < static_cast<int>(open_.size()); ++k)
+      left.count("open lines that are no grain, fold or notch");
     return pieces;
   }
 
  private:
-  int innermost(const SvgShape& shape) const {
-    return shape.groups.empty() ? -1 : shape.groups.back();
+  CountedPiece piece_of_outline(std::size_t i, const std::map<int, int>& pieces_of_group,
+                                std::size_t number, LeftOut& left) {
+    const std::vector<std::size_t> sizes = outlines_within(i);
+    const std::size_t cut = size_.empty() || sizes.empty() ? i : of_asked_size(i, sizes);
+    std::vector<std::size_t> others{i};
+    others.insert(others.end(), sizes.begin(), sizes.end());
+    others.erase(std::find(others.begin(), others.end(), cut));
+    CountedPiece made;
+    DrawnPiece& piece = made.piece;
+    const SvgShape& shape = *closed_[cut].shape;
+    made.place = fmt::format("at line {}", shape.line);
+    made.of_size = !size_.empty() && !sizes.empty();
+    piece.name = name_of(shape, others, pieces_of_group, number);
+    const SvgLine* outline = &closed_[cut];
+    if (const SvgLine* seam = sew_line(cut, others, piece.notes))
+      outline = seam, piece.on_sew_line = true;
+    if (words_of_shape(*outline->shape).seam) piece.on_sew_line = true;
+    set_outline(piece, outline->line.points, outline->line.nodes);
+    for (const std::size_t k : others)
+      left.count("outlines of other sizes",
+                 own_name(closed_[k].shape->label, closed_[k].shape->id));
+    if (!made.of_size && !sizes.empty())
+      piece.notes.push_back(fmt::format(
+          "the largest of {} outlines that lie in each other is taken, not {}: a word of its "
+          "label picks one of another size (--size, in a scenario garment.size), and a sew line "
+          "is one that is called \"seam\"",
+          sizes.size() + 1, labels_of(sizes)));
+    cut_holes(piece, i, cut, outline, others, left);
+    const int group = innermost_group(shape);
+    const auto pieces_in_group = pieces_of_group.find(group);
+    const bool own = pieces_in_group != pieces_of_group.end() && pieces_in_group->second == 1;
+    places_.groups.push_back(own ? group : -1);
+    places_.outlines.push_back(closed_[cut].line.points);
+    shapes_.push_back(&shape);
+    return made;
   }
 
-  /// What its label, id, class and the group round it say.
-  pattern::PieceWords words(const SvgShape& shape) const {
-    std::string all = own_name(shape.label, shape.id) + " " + shape.classes;
-    return pattern::words_of(all);
-  }
-  pattern::PieceWords group_words(const SvgShape& shape) const {
-    const int g = innermost(shape);
-    if (g < 0) return {};
-    return pattern::words_of(own_name(document_.groups[g].label, document_.groups[g].id));
+  /// Lines within a piece: holes where they are called so, or are drawn in one path with its
+  /// outline; of several sizes those of the one that is taken. All others are told.
+  void cut_holes(DrawnPiece& piece, std::size_t outer, std::size_t cut, const SvgLine* outline,
+                 const std::vector<std::size_t>& others, LeftOut& left) const {
+    std::vector<std::size_t> holes;
+    std::vector<std::string> told;
+    for (std::size_t k = 0; k < closed_.size(); ++k) {
+      const SvgLine& line = closed_[k];
+      const bool outline_of_size =
+          std::find(others.begin(), others.end(), k) != others.end() || k == cut;
+      if (k == outer || outermost(k) != outer || &line == outline || outline_of_size) continue;
+      const pattern::PieceWords words = words_of_shape(*line.shape);
+      const bool one_path =
+          line.shape == closed_[cut].shape && line.area <= kShareOfPiece * closed_[cut].area;
+      if (is_called_hole(document_, *line.shape) || one_path || !hole_names_[k].empty()) {
+        holes.push_back(k);
+      } else if (words.seam) {
+        left.count("sew lines that are not used", own_name(line.shape->label, line.shape->id));
+      } else {
+        left.count("closed lines within pieces", called_line(*line.shape));
+        told.push_back(called_line(*line.shape));
+      }
+    }
+    const auto of_size = [&](std::size_t k) { return has_words(labels_round(k), size_); };
+    if (!size_.empty() && !others.empty() && std::any_of(holes.begin(), holes.end(), of_size))
+      std::erase_if(holes, [&](std::size_t k) {
+        if (of_size(k)) return false;
+        left.count("holes of other sizes", own_name(closed_[k].shape->label, closed_[k].shape->id));
+        return true;
+      });
+    for (const std::size_t k : holes) {
+      std::string name = hole_names_[k];
+      if (name.empty() && closed_[k].shape != closed_[cut].shape)
+        name = own_name(closed_[k].shape->label, closed_[k].shape->id);
+      piece.holes.push_back({name.empty() ? "hole" : name, closed_[k].line.points});
+    }
+    if (told.empty()) return;
+    const std::size_t more = told.size() > kMostInner ? told.size() - kMostInner : 0;
+    told.resize(told.size() - more);
+    piece.notes.push_back(fmt::format(
+        "closed lines within it are drawn on it and not cut: {}{}; one that is called \"hole\", or "
+        "is drawn in one path with the outline, is cut",
+        join(told), more > 0 ? fmt::format(" and {} more", more) : std::string()));
   }
 
   bool encloses_a_piece(const SvgShape& shape) const {
@@ -139,7 +154,7 @@ class Sorter {
     if (!groups_with_pieces_) {
       groups_with_pieces_.emplace();
       for (const SvgShape& shape : document_.shapes) {
-        const pattern::PieceWords own = words(shape);
+        const pattern::PieceWords own = words_of_shape(shape);
         if ((!(own.grain || own.fold || own.notch) || names_a_piece(own)) &&
             encloses_a_piece(shape))
           groups_with_pieces_->insert(shape.groups.begin(), shape.groups.end());
@@ -148,29 +163,30 @@ class Sorter {
     return groups_with_pieces_->count(group) > 0;
   }
 
-  void gather() {
+  void gather(LeftOut& left) {
     std::vector<const SvgShape*> large_marks;
     for (const SvgShape& shape : document_.shapes) {
-      const pattern::PieceWords own = words(shape), group = group_words(shape);
+      const pattern::PieceWords own = words_of_shape(shape),
+                                group = words_of_group(document_, shape);
       if (own.sheet || group.sheet) {
-        ++sheets_;
+        left.count("frames, legends and test squares", own_name(shape.label, shape.id));
         continue;
       }
       // A piece, or the group round it, may be called "front on fold" or "notched collar".
-      const bool mark = own.grain || own.fold || own.notch;
+      const bool mark = !own.hole && (own.grain || own.fold || own.notch);
       const bool of_marks = (group.grain || group.fold || group.notch) &&
-                            !(names_a_piece(group) && holds_a_piece(innermost(shape)));
+                            !(names_a_piece(group) && holds_a_piece(innermost_group(shape)));
       if (!mark && !of_marks)
-        take(shape);
+        take(shape, left);
       else if (!encloses_a_piece(shape))
         marks_.push_back(&shape);
       else if (mark)
         large_marks.push_back(&shape);
       else
-        take(shape);
+        take(shape, left);
     }
     const std::size_t certain = closed_.size();
-    for (const SvgShape* shape : large_marks) take(*shape);
+    for (const SvgShape* shape : large_marks) take(*shape, left);
     part_large_marks(certain);
     // In the order of the file.
     std::stable_sort(closed_.begin(), closed_.end(),
@@ -178,7 +194,7 @@ class Sorter {
   }
 
   /// Sorts the lines of a shape.
-  void take(const SvgShape& shape) {
+  void take(const SvgShape& shape, LeftOut& left) {
     for (const SvgRun& run : shape.runs) {
       SvgLine one{&shape, sampled_in_metres(run, unit_), 0};
       if (one.line.points.size() < 2) continue;
@@ -189,10 +205,14 @@ class Sorter {
       if (one.line.closed && one.line.points.size() > 2) {
         // Letters drawn as paths are many and small.
         one.area = std::abs(pattern::signed_area(one.line.points));
-        if (one.area < kSmallestPiece)
-          ++small_;
-        else
+        if (one.area >= kSmallestPiece)
           closed_.push_back(std::move(one));
+        else if (is_called_hole(document_, shape))
+          left.tell(
+              "closed line " + called_line(shape) +
+              ": not cut, it has less than 4 cm2, for which the mesh of a garment has no room");
+        else
+          left.count("closed lines of less than 4 cm2", own_name(shape.label, shape.id));
       } else {
         open_.push_back(std::move(one));
       }
@@ -224,64 +244,14 @@ class Sorter {
     closed_ = std::move(pieces);
   }
 
-  bool is_rectangle(const SvgLine& run) const {
-    return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
-  }
-
-  /// Rectangles that cover the page, or several other closed lines.
-  void drop_frames() {
-    const Vec2 page = unit_ * (document_.high - document_.low);
-    std::vector<SvgLine> kept;
-    std::vector<char> frame(closed_.size(), 0);
-    for (std::size_t i = 0; i < closed_.size(); ++i) {
-      if (!is_rectangle(closed_[i])) continue;
-      Vec2 low = Vec2::Constant(1e9), high = -low;
-      for (const Vec2& p : closed_[i].line.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
-      const Vec2 size = high - low;
-      if (page.minCoeff() > 0 && size.x() > kWholePage * page.x() &&
-          size.y() > kWholePage * page.y()) {
-        frame[i] = 1;
-        continue;
-      }
-      // Nearly as large are only other sizes of it, which lie in each other.
-      int others = 0, nearly_as_large = 0;
-      for (std::size_t j = 0; j < closed_.size() && others + nearly_as_large < 2; ++j) {
-        if (j == i || closed_[j].area >= closed_[i].area ||
-            words(*closed_[j].shape).seam != words(*closed_[i].shape).seam ||
-            !lies_inside(closed_[j].line.points, closed_[i].line.points))
-          continue;
-        if (closed_[j].area > kShareOfPiece * closed_[i].area)
-          nearly_as_large = 1;
-        else
-          ++others;
-      }
-      frame[i] = others + nearly_as_large >= 2;
-    }
-    for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (frame[i])
-        ++sheets_;
-      else
-        kept.push_back(std::move(closed_[i]));
-    closed_ = std::move(kept);
-  }
-
-  void find_inner() {
-    within_.assign(closed_.size(), -1);
-    for (std::size_t i = 0; i < closed_.size(); ++i)
-      for (std::size_t j = 0; j < closed_.size() && within_[i] < 0; ++j)
-        if (i != j && closed_[j].area >= kSmallestPiece &&
-            (closed_[i].area < closed_[j].area || (closed_[i].area == closed_[j].area && i > j)) &&
-            lies_inside(closed_[i].line.points, closed_[j].line.points))
-          within_[i] = static_cast<int>(j);
-  }
-
   /// Lines within an outline that enclose nearly as much and are not called its sew line: other
   /// sizes, as a rule.
   std::vector<std::size_t> outlines_within(std::size_t outer) const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (i != outer && outermost(i) == outer &&
-          closed_[i].area > kShareOfPiece * closed_[outer].area && !words(*closed_[i].shape).seam)
+          closed_[i].area > kShareOfPiece * closed_[outer].area &&
+          !words_of_shape(*closed_[i].shape).seam && !is_called_hole(document_, *closed_[i].shape))
         found.push_back(i);
     return found;
   }
@@ -322,7 +292,7 @@ class Sorter {
     std::vector<const SvgLine*> of_others, seams;
     for (const std::size_t i : others) of_others.push_back(&closed_[i]);
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (outermost(i) == outermost(cut) && words(*closed_[i].shape).seam &&
+      if (outermost(i) == outermost(cut) && words_of_shape(*closed_[i].shape).seam &&
           closed_[i].area > kShareOfPiece * closed_[cut].area)
         seams.push_back(&closed_[i]);
     return seam_of_size(document_, closed_[cut], of_others, seams, size_, notes);
@@ -341,7 +311,7 @@ class Sorter {
   std::string name_of(const SvgShape& shape, const std::vector<std::size_t>& others,
                       const std::map<int, int>& pieces_of_group, std::size_t number) const {
     std::vector<std::pair<std::string, int>> names;  // and the group; the innermost first
-    const std::string own = own_name(shape.label, shape.id);
+    const std::string own = clean_name(own_name(shape.label, shape.id));
     // "cut" and "seam" are what the line is, its group is what the piece is.
     if (!own.empty() && own != "cut" && own != "cutline" && !pattern::words_of(own).seam)
       names.emplace_back(own, -1);
@@ -349,7 +319,7 @@ class Sorter {
       const SvgGroup& group = document_.groups[shape.groups[k]];
       const auto count = pieces_of_group.find(shape.groups[k]);
       if (group.layer && count != pieces_of_group.end() && count->second > 1) break;
-      const std::string name = own_name(group.label, group.id);
+      const std::string name = clean_name(own_name(group.label, group.id));
       if (!name.empty()) names.emplace_back(name, shape.groups[k]);
     }
     const auto shared = [&](const std::string& name) {
@@ -369,15 +339,15 @@ class Sorter {
                                                         pieces_in(round.second) == 1 &&
                                                         (is_piece(round.first) || !is_piece(name));
                                                });
-      if (!is_size && !better_round_it) return clean_name(name);
+      if (!is_size && !better_round_it) return name;
     }
-    return names.empty() ? fmt::format("piece_{}", number + 1) : clean_name(names[0].first);
+    return names.empty() ? fmt::format("piece_{}", number + 1) : names[0].first;
   }
 
   /// Groups without a closed line whose open ones close together.
-  void chain_groups(std::vector<SvgPiece>& pieces, const std::map<int, int>& pieces_of_group) {
+  void chain_groups(std::vector<CountedPiece>& pieces, const std::map<int, int>& pieces_of_group) {
     std::map<int, std::vector<const SvgLine*>> open;
-    for (const SvgLine& run : open_) open[innermost(*run.shape)].push_back(&run);
+    for (const SvgLine& run : open_) open[innermost_group(*run.shape)].push_back(&run);
     for (const auto& [group, runs] : open) {
       if (pieces_of_group.count(group) || runs.size() > kMostOpen || runs.size() < 2) continue;
       std::vector<DrawnLine> lines;
@@ -386,8 +356,8 @@ class Sorter {
       int made = 0;
       for (Outline& loop : chained.loops) {
         if (std::abs(outline_area(loop)) < kSmallestPiece) continue;
-        SvgPiece piece;
-        piece.line = runs[0]->shape->line;
+        CountedPiece piece;
+        piece.place = fmt::format("at line {}", runs[0]->shape->line);
         const std::string name =
             group < 0 ? std::string()
                       : own_name(document_.groups[group].label, document_.groups[group].id);
@@ -397,50 +367,12 @@ class Sorter {
         for (const OutlinePoint& p : loop) points.push_back(p.at);
         piece.piece.outline = cleaned(std::move(loop));
         pieces.push_back(std::move(piece));
-        groups_.push_back(made++ == 0 ? group : -1);
-        outlines_.push_back(std::move(points));
+        places_.groups.push_back(made++ == 0 ? group : -1);
+        places_.outlines.push_back(std::move(points));
+        shapes_.push_back(runs[0]->shape);
       }
       if (made > 0) chained_ += static_cast<int>(runs.size());
     }
-  }
-
-  /// Index of the piece that a mark lies in, or next to.
-  int piece_of(const SvgShape& mark, const Vec2& at) const {
-    for (std::size_t k = mark.groups.size(); k-- > 0;)
-      for (std::size_t p = 0; p < groups_.size(); ++p)
-        if (groups_[p] == mark.groups[k] && groups_[p] >= 0) return static_cast<int>(p);
-    int nearest = -1;
-    double least = kNearOutline;
-    for (std::size_t p = 0; p < outlines_.size(); ++p) {
-      if (pattern::inside_polygon(outlines_[p], at)) return static_cast<int>(p);
-      const double d = (pattern::closest_on_polygon(outlines_[p], at) - at).norm();
-      if (d < least) least = d, nearest = static_cast<int>(p);
-    }
-    return nearest;
-  }
-
-  /// \return how many belong nowhere
-  int give_marks(std::vector<SvgPiece>& pieces) const {
-    int lost = 0;
-    for (const SvgShape* mark : marks_) {
-      const pattern::PieceWords own = words(*mark), group = group_words(*mark);
-      const bool grain = own.grain || (!own.fold && !own.notch && group.grain);
-      const bool fold = own.fold || (!own.grain && !own.notch && group.fold);
-      const std::optional<Axis> axis = longest_side(*mark, unit_);
-      const Vec2 start = in_metres({mark->runs[0].start}, unit_)[0];
-      const Vec2 at = (grain || fold) && axis ? Vec2((axis->first + axis->second) / 2) : start;
-      const int p = piece_of(*mark, at);
-      if (p < 0 || ((grain || fold) && !axis)) {
-        ++lost;
-      } else if (grain) {
-        pieces[p].piece.grain = axis;
-      } else if (fold) {
-        pieces[p].piece.fold = axis;
-      } else {
-        pieces[p].piece.notches.push_back(at);
-      }
-    }
-    return lost;
   }
 
   const SvgDocument& document_;
@@ -449,19 +381,20 @@ class Sorter {
   std::vector<SvgLine> closed_, open_;
   std::vector<int> within_;  ///< index of a closed line round it; −1
   std::vector<const SvgShape*> marks_;
-  std::vector<int> groups_;                  ///< per piece: the group that is its own; −1
-  std::vector<std::vector<Vec2>> outlines_;  ///< per piece
+  std::vector<std::string> hole_names_;  ///< per closed line: the text that calls it a hole
+  SvgPlaces places_;
+  std::vector<const SvgShape*> shapes_;  ///< per piece
   std::optional<std::set<int>> groups_with_pieces_;
-  int sheets_ = 0, chained_ = 0, small_ = 0;
+  int chained_ = 0;
   std::size_t points_ = 0;
 };
 
 }  // namespace
 
-std::vector<SvgPiece> drawn_pieces(const SvgDocument& document, double unit,
-                                   const std::string& file, const std::string& size,
-                                   std::vector<std::string>& unused) {
-  return Sorter(document, unit, file, size).sort(unused);
+std::vector<CountedPiece> drawn_pieces(const SvgDocument& document, double unit,
+                                       const std::string& file, const std::string& size,
+                                       LeftOut& left) {
+  return Sorter(document, unit, file, size).sort(left);
 }
 
 }  // namespace loosefit::io

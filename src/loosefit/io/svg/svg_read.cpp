@@ -19,16 +19,20 @@ constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostPieces = 200;
 constexpr double kLargestUnit = 0.0254;  // that a drawing may be in [m]
 
-std::vector<SvgPiece> pieces_in(const SvgDocument& document, double unit, const std::string& file,
-                                const std::string& size, std::vector<std::string>& unused) {
-  unused.clear();
-  return document.freesewing ? freesewing_pieces(document, unit, unused)
-                             : drawn_pieces(document, unit, file, size, unused);
+std::vector<CountedPiece> pieces_in(const SvgDocument& document, double unit,
+                                    const std::string& file, const std::string& size,
+                                    LeftOut& left) {
+  left = {};
+  std::vector<CountedPiece> pieces = document.freesewing
+                                         ? freesewing_pieces(document, unit, left)
+                                         : drawn_pieces(document, unit, file, size, left);
+  left.sum_up();
+  return pieces;
 }
 
-double longest_side(const std::vector<SvgPiece>& pieces) {
+double longest_side(const std::vector<CountedPiece>& pieces) {
   double longest = 0;
-  for (const SvgPiece& piece : pieces) {
+  for (const CountedPiece& piece : pieces) {
     Vec2 low = Vec2::Constant(1e300), high = -low;
     for (const OutlinePoint& p : piece.piece.outline)
       low = low.cwiseMin(p.at), high = high.cwiseMax(p.at);
@@ -46,10 +50,10 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
     throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
                        "none: FreeSewing drafts one size");
   const double named = document.unit.mm / 1000;
-  std::vector<std::string> left;
+  LeftOut left;
   // What is too small for a piece is told by the unit, which the largest piece may have to tell.
   double measured_in = wish.units.empty() ? named : choose_units(wish.units, {}, 1, file).metre;
-  std::vector<SvgPiece> pieces = pieces_in(document, measured_in, file, wish.size, left);
+  std::vector<CountedPiece> pieces = pieces_in(document, measured_in, file, wish.size, left);
   if (pieces.empty() && !document.unit.stated && wish.units.empty())
     pieces = pieces_in(document, measured_in = kLargestUnit, file, wish.size, left);
   if (pieces.empty())
@@ -62,7 +66,7 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
     throw InvalidInput({file, 0, "pieces"}, fmt::format("{} pieces", pieces.size()),
                        fmt::format("at most {}", kMostPieces));
   const auto of_size = std::count_if(pieces.begin(), pieces.end(),
-                                     [](const SvgPiece& piece) { return piece.of_size; });
+                                     [](const CountedPiece& piece) { return piece.of_size; });
   if (!wish.size.empty() && of_size == 0)
     throw InvalidInput({file, 0, "size"}, '"' + printable(wish.size) + '"',
                        "none: no outlines of several sizes lie in each other in this drawing");
@@ -79,21 +83,21 @@ PatternFile parse_svg_pattern(const std::string& text, const std::string& file,
     result.about.push_back(
         fmt::format("size {} by the labels of {} outlines", printable(wish.size), of_size));
   std::vector<DrawnPiece*> drawn;
-  for (SvgPiece& piece : pieces) drawn.push_back(&piece.piece);
+  for (CountedPiece& piece : pieces) drawn.push_back(&piece.piece);
   point_grains_up(drawn);
   PieceCollector collector(result);
   int without_grain = 0;
-  for (SvgPiece& piece : pieces) {
+  for (CountedPiece& piece : pieces) {
     without_grain += !piece.piece.grain && !document.freesewing;
-    const int line = piece.line;
-    collector.add(std::move(piece.piece), piece.count, fmt::format("at line {}", line));
+    collector.add(std::move(piece.piece), piece.count, piece.place);
   }
   collector.finish(file, "sew line");
   if (without_grain > 0)
     result.warnings.push_back(fmt::format(
         "{} pieces have no grain line (a line called \"grain\"): the warp is taken up the page",
         without_grain));
-  result.unused.insert(result.unused.end(), left.begin(), left.end());
+  result.unused.insert(result.unused.end(), left.unused.begin(), left.unused.end());
+  result.warnings.insert(result.warnings.end(), left.warnings.begin(), left.warnings.end());
   result.unused.insert(result.unused.end(), document.unused.begin(), document.unused.end());
   return result;
 }

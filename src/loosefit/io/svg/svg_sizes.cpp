@@ -8,12 +8,6 @@
 #include "loosefit/io/svg/svg_labels.h"
 
 namespace loosefit::io {
-namespace {
-
-int innermost(const SvgShape& shape) { return shape.groups.empty() ? -1 : shape.groups.back(); }
-
-}  // namespace
-
 bool stands_in(const SvgShape& shape, int group) {
   return group >= 0 &&
          std::find(shape.groups.begin(), shape.groups.end(), group) != shape.groups.end();
@@ -33,7 +27,7 @@ const SvgLine* seam_of_size(const SvgDocument& document, const SvgLine& cut,
   if (size.empty() || others.empty()) return within[0];
   for (const SvgLine* seam : within)
     if (has_words(all_labels(document, *seam->shape), size)) return seam;
-  const int own_group = innermost(*cut.shape);
+  const int own_group = innermost_group(*cut.shape);
   if (std::none_of(others.begin(), others.end(),
                    [&](const SvgLine* other) { return stands_in(*other->shape, own_group); }))
     for (const SvgLine* seam : within)
@@ -42,7 +36,7 @@ const SvgLine* seam_of_size(const SvgDocument& document, const SvgLine& cut,
   const std::string own = all_labels(document, *cut.shape);
   const auto of_another = [&](const SvgLine* seam) {
     return std::any_of(others.begin(), others.end(), [&](const SvgLine* other) {
-      const int group = innermost(*other->shape);
+      const int group = innermost_group(*other->shape);
       return (stands_in(*seam->shape, group) && !stands_in(*cut.shape, group)) ||
              has_words_of_other(all_labels(document, *seam->shape),
                                 all_labels(document, *other->shape), own);

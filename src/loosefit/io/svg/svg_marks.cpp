@@ -1,0 +1,142 @@
+#include "loosefit/io/svg/svg_marks.h"
+
+#include <optional>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/pieces/quantity.h"
+#include "loosefit/io/svg/svg_labels.h"
+#include "loosefit/io/svg/svg_lines.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit::io {
+namespace {
+
+constexpr double kNearOutline = 0.03;  // of marks and texts that have no group [m]
+
+std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
+  std::optional<Axis> best;
+  double longest = kSamePoint;
+  for (const SvgRun& run : shape.runs) {
+    const std::vector<Vec2> nodes = sampled_in_metres(run, unit).nodes;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+      if (const double d = (nodes[i + 1] - nodes[i]).norm(); d > longest)
+        longest = d, best = Axis(nodes[i], nodes[i + 1]);
+  }
+  return best;
+}
+
+/// The texts that stand in a piece or beside it.
+std::vector<std::string> texts_of(const SvgDocument& document, double unit, const SvgPlaces& places,
+                                  int piece) {
+  std::vector<std::string> texts;
+  for (const SvgText& text : document.texts) {
+    std::optional<Vec2> at;
+    if (text.at) at = in_metres({*text.at}, unit)[0];
+    if (places.piece_of(text.groups, at) == piece) texts.push_back(trimmed_words(text.words));
+  }
+  return texts;
+}
+
+void tell_of_fold(DrawnPiece& piece, const std::vector<std::string>& texts,
+                  const std::vector<std::string>& labels) {
+  const char* const but = " speaks of a fold, but no line called \"fold\" says where: not unfolded";
+  if (pattern::words_of(piece.name).fold)
+    piece.notes.push_back(std::string("its name") + but);
+  else
+    for (const std::string& label : labels)
+      if (pattern::words_of(label).fold)
+        piece.notes.push_back("its label \"" + printable(label) + '"' + but);
+  for (const std::string& text : texts)
+    if (pattern::words_of(text).fold)
+      piece.notes.push_back("its text \"" + printable(text) + '"' + but);
+}
+
+}  // namespace
+
+int SvgPlaces::piece_of(const std::vector<int>& round, const std::optional<Vec2>& at) const {
+  for (std::size_t k = round.size(); k-- > 0;)
+    for (std::size_t p = 0; p < groups.size(); ++p)
+      if (groups[p] == round[k] && groups[p] >= 0) return static_cast<int>(p);
+  if (!at) return -1;
+  int nearest = -1;
+  double least = kNearOutline;
+  for (std::size_t p = 0; p < outlines.size(); ++p) {
+    if (pattern::inside_polygon(outlines[p], *at)) return static_cast<int>(p);
+    const double d = (pattern::closest_on_polygon(outlines[p], *at) - *at).norm();
+    if (d < least) least = d, nearest = static_cast<int>(p);
+  }
+  return nearest;
+}
+
+void give_marks(const SvgDocument& document, double unit, const std::vector<const SvgShape*>& marks,
+                const SvgPlaces& places, std::vector<CountedPiece>& pieces, LeftOut& left) {
+  for (const SvgShape* mark : marks) {
+    const pattern::PieceWords own = words_of_shape(*mark), group = words_of_group(document, *mark);
+    const bool grain = own.grain || (!own.fold && !own.notch && group.grain);
+    const bool fold = own.fold || (!own.grain && !own.notch && group.fold);
+    const std::optional<Axis> axis = longest_side(*mark, unit);
+    const Vec2 start = in_metres({mark->runs[0].start}, unit)[0];
+    const Vec2 at = (grain || fold) && axis ? Vec2((axis->first + axis->second) / 2) : start;
+    const int p = places.piece_of(mark->groups, at);
+    if (p < 0 || ((grain || fold) && !axis)) {
+      if (fold)
+        left.tell("fold line " + called_line(*mark) +
+                  ": it belongs to no piece, nothing is unfolded");
+      else
+        left.count("marks that belong to no piece", own_name(mark->label, mark->id));
+    } else if (grain) {
+      pieces[p].piece.grain = axis;
+    } else if (fold) {
+      for (const SvgRun& run : mark->runs)
+        pieces[p].piece.folds.push_back(sampled_in_metres(run, unit).nodes);
+    } else {
+      pieces[p].piece.notches.push_back(at);
+    }
+  }
+}
+
+void give_counts(const SvgDocument& document, double unit,
+                 const std::vector<const SvgShape*>& shapes, const SvgPlaces& places,
+                 std::vector<CountedPiece>& pieces) {
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    DrawnPiece& piece = pieces[p].piece;
+    const std::vector<std::string> texts = texts_of(document, unit, places, static_cast<int>(p));
+    std::vector<std::string> labels;
+    std::optional<PieceCount> known;
+    const auto take = [&](const std::optional<PieceCount>& count) {
+      if (!count) return;
+      if (!known)
+        known = count;
+      else if (count->as_drawn != known->as_drawn || count->mirrored != known->mirrored)
+        piece.notes.push_back("it is said to be cut as \"" + printable(known->said) +
+                              "\" and as \"" + printable(count->said) + "\": the first is taken");
+    };
+    const auto read = [&](const std::string& quantity) {
+      if (quantity.empty()) return;
+      const std::optional<PieceCount> count = read_quantity(quantity);
+      if (!count)
+        piece.notes.push_back("its quantity \"" + printable(quantity) + "\" is no number");
+      take(count);
+    };
+    if (const SvgShape* shape = shapes[p]) {
+      read(shape->quantity);
+      labels = shape->said;
+      labels.push_back(own_name(shape->label, shape->id));
+      for (const std::string& words : labels) take(find_quantity(words));
+    }
+    for (const std::string& words : texts) take(find_quantity(words));
+    if (const SvgShape* shape = shapes[p])
+      for (std::size_t k = shape->groups.size(); k-- > 0;) {
+        const SvgGroup& group = document.groups[shape->groups[k]];
+        read(group.quantity);
+        std::vector<std::string> around = group.said;
+        around.push_back(own_name(group.label, group.id));
+        for (const std::string& words : around) take(find_quantity(words));
+        labels.insert(labels.end(), around.begin(), around.end());
+      }
+    if (known) pieces[p].count = *known;
+    if (piece.folds.empty()) tell_of_fold(piece, texts, labels);
+  }
+}
+
+}  // namespace loosefit::io

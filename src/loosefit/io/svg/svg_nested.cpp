@@ -1,0 +1,132 @@
+#include "loosefit/io/svg/svg_nested.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "loosefit/base/text.h"
+#include "loosefit/io/pieces/piece_outline.h"
+#include "loosefit/io/svg/svg_labels.h"
+#include "loosefit/pattern/outline.h"
+
+namespace loosefit::io {
+namespace {
+
+constexpr double kWholePage = 0.95;  // of its width and height
+constexpr double kInHole = 1e-3;  // a hole lies in a piece with a point that is so deep in it [m]
+constexpr double kTextBeside = 0.03;  // of a text from the line that it names [m]
+
+bool is_rectangle(const SvgLine& run) {
+  return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
+}
+
+/// Whether a rectangle covers several other lines. Nearly as large are only other sizes of it,
+/// which lie in each other.
+bool covers_others(const SvgDocument& document, const std::vector<SvgLine>& closed, std::size_t i) {
+  int others = 0, nearly_as_large = 0;
+  for (std::size_t j = 0; j < closed.size() && others + nearly_as_large < 2; ++j) {
+    if (j == i || closed[j].area >= closed[i].area || closed[j].shape == closed[i].shape ||
+        is_called_hole(document, *closed[j].shape) ||
+        words_of_shape(*closed[j].shape).seam != words_of_shape(*closed[i].shape).seam ||
+        !lies_inside(closed[j].line.points, closed[i].line.points))
+      continue;
+    if (closed[j].area > kShareOfPiece * closed[i].area)
+      nearly_as_large = 1;
+    else
+      ++others;
+  }
+  return others + nearly_as_large >= 2;
+}
+
+/// "Opening" and "neckline" stand at edges as well.
+bool speaks_of_cutting(const std::string& text) {
+  const std::string words = in_words(text);
+  return words.find("hole ") != std::string::npos || words.find("loch ") != std::string::npos ||
+         words.find(" cutout ") != std::string::npos;
+}
+
+/// A part of it lies in the other line.
+bool reaches_into(const std::vector<Vec2>& hole, const std::vector<Vec2>& outer) {
+  return std::any_of(hole.begin(), hole.end(), [&](const Vec2& p) {
+    return pattern::inside_polygon(outer, p) &&
+           (pattern::closest_on_polygon(outer, p) - p).norm() > kInHole;
+  });
+}
+
+}  // namespace
+
+std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<SvgLine> closed,
+                                    double unit, LeftOut& left) {
+  const Vec2 page = unit * (document.high - document.low);
+  std::vector<char> frame(closed.size(), 0);
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    if (!is_rectangle(closed[i])) continue;
+    const pattern::PieceWords words = words_of_shape(*closed[i].shape);
+    if (names_a_piece(words) || words.top) continue;
+    const Vec2 size = box_of(closed[i].line.points).sizes();
+    frame[i] = (page.minCoeff() > 0 && size.x() > kWholePage * page.x() &&
+                size.y() > kWholePage * page.y()) ||
+               covers_others(document, closed, i);
+  }
+  std::vector<SvgLine> kept;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    if (!frame[i]) {
+      kept.push_back(std::move(closed[i]));
+      continue;
+    }
+    const SvgShape& shape = *closed[i].shape;
+    const std::string name = own_name(shape.label, shape.id);
+    left.count("frames, legends and test squares", name);
+    if (!name.empty())
+      left.warnings.push_back("rectangle " + called_line(shape) +
+                              ": taken for a frame, since it covers the page or several other "
+                              "outlines; called after a piece (front, back, tunic) it is one");
+  }
+  return kept;
+}
+
+std::vector<int> lines_round(const SvgDocument& document, const std::vector<SvgLine>& closed) {
+  std::vector<int> within(closed.size(), -1);
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const auto round = [&](std::size_t j, bool partly) {
+      return i != j && closed[j].area >= kSmallestPiece &&
+             (closed[i].area < closed[j].area || (closed[i].area == closed[j].area && i > j)) &&
+             (partly ? reaches_into(closed[i].line.points, closed[j].line.points)
+                     : lies_inside(closed[i].line.points, closed[j].line.points));
+    };
+    for (std::size_t j = 0; j < closed.size() && within[i] < 0; ++j)
+      if (round(j, false)) within[i] = static_cast<int>(j);
+    if (within[i] >= 0 || !is_called_hole(document, *closed[i].shape)) continue;
+    for (std::size_t j = 0; j < closed.size() && within[i] < 0; ++j)
+      if (round(j, true)) within[i] = static_cast<int>(j);
+  }
+  return within;
+}
+
+std::vector<std::string> holes_by_text(const SvgDocument& document, double unit,
+                                       const std::vector<SvgLine>& closed,
+                                       const std::vector<int>& within, LeftOut& left) {
+  std::vector<std::string> names(closed.size());
+  for (const SvgText& text : document.texts) {
+    if (!pattern::words_of(text.words).hole || !text.at) continue;
+    const Vec2 at = in_metres({*text.at}, unit)[0];
+    std::size_t best = closed.size();
+    double least = kTextBeside;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      if (within[i] < 0 || closed[i].area > kShareOfPiece * closed[within[i]].area) continue;
+      const std::vector<Vec2>& points = closed[i].line.points;
+      const double d = pattern::inside_polygon(points, at)
+                           ? 0
+                           : (pattern::closest_on_polygon(points, at) - at).norm();
+      if (d < least) least = d, best = i;
+    }
+    if (best < closed.size())
+      names[best] = trimmed_words(text.words);
+    else if (speaks_of_cutting(text.words))
+      left.tell("text \"" + printable(trimmed_words(text.words), 60) + "\" at line " +
+                std::to_string(text.line) +
+                ": it speaks of a hole, but no closed line in a piece lies there: nothing is cut");
+  }
+  return names;
+}
+
+}  // namespace loosefit::io

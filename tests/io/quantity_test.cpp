@@ -1,0 +1,94 @@
+#include "loosefit/io/pieces/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace loosefit::io {
+namespace {
+
+using Pair = std::pair<int, int>;  // as drawn, mirrored
+
+Pair counts(const std::optional<PieceCount>& count) {
+  return count ? Pair(count->as_drawn, count->mirrored) : Pair(-1, -1);
+}
+
+Pair halves(int n) { return n % 2 == 0 ? Pair(n / 2, n / 2) : Pair(n, 0); }
+
+TEST(PieceQuantity, OneNumberInEveryWayOfWritingItIsTheSameCount) {
+  for (int n = 1; n <= 12; ++n) {
+    const std::string digits = std::to_string(n);
+    for (const std::string& value :
+         {digits, " " + digits + " ", digits + ",0", digits + ".0", digits + ",00", "x" + digits,
+          digits + "x", digits + " x", "\xc3\x97" + digits, "Cut " + digits, "CUT: " + digits,
+          "cut x" + digits, digits + " pcs",
+          digits + " St\xc3\xbc"
+                   "ck",
+          "QTY=" + digits})
+      EXPECT_EQ(counts(read_quantity(value)), halves(n)) << value;
+    for (const std::string& text :
+         {"gore, cut " + digits, "Gore QTY " + digits + " self", "gore x" + digits + " (fabric)",
+          digits + " pieces of the gore", "Anzahl: " + digits, "zuschneiden: " + digits + "x",
+          "Couper " + digits + " fois", "cortar " + digits, "cut " + digits + " on the fold"})
+      EXPECT_EQ(counts(find_quantity(text)), halves(n)) << text;
+    EXPECT_EQ(counts(find_quantity(digits + " pairs")), Pair(n, n));
+    EXPECT_EQ(counts(find_quantity("cut " + digits + " identical")), Pair(n, 0));
+    EXPECT_EQ(counts(find_quantity("cut " + digits + ", not mirrored")), Pair(n, 0));
+    EXPECT_EQ(counts(read_quantity(digits + "," + std::to_string(n))), Pair(n, n));
+  }
+}
+
+TEST(PieceQuantity, WordsForNumbersAndPairsCount) {
+  EXPECT_EQ(counts(find_quantity("cut two, mirrored")), Pair(1, 1));
+  EXPECT_EQ(counts(find_quantity("cut one")), Pair(1, 0));
+  EXPECT_EQ(counts(find_quantity("sleeve, 1 pair")), Pair(1, 1));
+  EXPECT_EQ(counts(find_quantity("cut a pair")), Pair(1, 1));
+  EXPECT_EQ(counts(find_quantity("1 Paar")), Pair(1, 1));
+  EXPECT_EQ(counts(read_quantity("two")), Pair(1, 1));
+  EXPECT_EQ(counts(read_quantity("2 mirrored")), Pair(1, 1));
+  EXPECT_EQ(counts(read_quantity("0")), Pair(0, 0));
+  EXPECT_EQ(counts(read_quantity("1,1")), Pair(1, 1));
+  EXPECT_EQ(counts(read_quantity("0,1")), Pair(0, 1));
+}
+
+TEST(PieceQuantity, SaysHowItWasReadWhereThatIsNotPlain) {
+  EXPECT_EQ(read_quantity("2,0")->doubt, "the number 2: half of them as drawn, half mirrored");
+  EXPECT_EQ(read_quantity("2,0")->said, "2,0");
+  EXPECT_TRUE(read_quantity("1,0")->doubt.empty());
+  EXPECT_TRUE(read_quantity("2")->doubt.empty());
+  EXPECT_FALSE(read_quantity("1,5")->doubt.empty());
+  EXPECT_FALSE(find_quantity("cut 1, mirrored")->doubt.empty());
+}
+
+TEST(PieceQuantity, SizesMeasuresAndOtherClothsAreNoCounts) {
+  for (const char* text :
+       {"FRONT 2X", "100 x 100 mm", "size 38", "front 2", "1.5 cm seam allowance",
+        "pattern 3 of 12", "cut on fold", "sleeve_x5F_left", "cut 2 from lining", "Cut 2 Fusible",
+        "1,5 x", "armhole"})
+    EXPECT_EQ(counts(find_quantity(text)), Pair(-1, -1)) << text;
+  for (const char* value : {"", "some", "1.5", "-", "many pieces", "12345"})
+    EXPECT_EQ(counts(read_quantity(value)), Pair(-1, -1)) << value;
+  EXPECT_EQ(counts(find_quantity("cut 2 from lining; cut 1 from main fabric")), Pair(1, 0));
+  EXPECT_EQ(counts(find_quantity("cut 4 self, cut 2 lining")), Pair(2, 2));
+}
+
+TEST(PieceQuantity, NamesKeepWhatIsNoCount) {
+  for (const auto& [text, name] :
+       {std::pair{"sleeve x2", "sleeve"}, std::pair{"gore, cut 2, mirrored", "gore"},
+        std::pair{"2x cuff", "cuff"}, std::pair{"yoke (cut 2)", "yoke"}}) {
+    std::string rest;
+    ASSERT_TRUE(find_quantity(text, &rest)) << text;
+    EXPECT_EQ(rest, name);
+  }
+}
+
+TEST(PieceQuantity, KeysThatCountPieces) {
+  for (const char* key : {"Quantity", "QTY", "cut", "Cut Quantity", "Anzahl", "data_x"})
+    EXPECT_EQ(counts_pieces(key), std::string(key) != "data_x") << key;
+}
+
+}  // namespace
+}  // namespace loosefit::io
