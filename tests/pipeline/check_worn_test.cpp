@@ -123,14 +123,14 @@ TEST_F(CheckWorn, ClothThatIsStrainedFarBeyondItsCardInARegionIsNotWorn) {
 }
 
 // A small part of the whole, which half of its area would never tell.
-TEST_F(CheckWorn, ARimThatIsStretchedBeyondItsClothIsNotWornAndIsNamed) {
+TEST_F(CheckWorn, ARimThatIsStretchedFarBeyondItsClothIsNotWornAndIsNamed) {
   const CaseResult result = tube(34, 56, 45, 60);
   const double limit = result.scenario.studied().material.material.valid_strain_weft;
   const auto rims = drape::garment_rims(result.studied().mesh(), result.studied().pattern.pattern,
                                         result.body.body);
   ASSERT_EQ(rims.size(), 2u);
   for (const drape::Rim& rim : rims)
-    for (const double stretch : {0.5 * limit, 1.5 * limit}) {
+    for (const double stretch : {1.5 * limit, 2.5 * limit}) {
       // The rim alone is widened about its middle to a length of its own.
       std::vector<Vec3> x = result.studied().drape.positions;
       Vec3 middle = Vec3::Zero();
@@ -139,7 +139,7 @@ TEST_F(CheckWorn, ARimThatIsStretchedBeyondItsClothIsNotWornAndIsNamed) {
       const double factor = (1 + stretch) * rim.cut() / rim.length(x);
       for (const int v : rim.opening.loop) x[v] = middle + factor * (x[v] - middle);
       const auto reasons = reasons_of(result, x);
-      EXPECT_EQ(any_has(reasons, rim.name + " is stretched to"), stretch > limit)
+      EXPECT_EQ(any_has(reasons, rim.name + " is stretched to"), stretch > 2 * limit)
           << rim.name << ": " << join(reasons, "; ");
     }
 }

@@ -14,9 +14,8 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kSoft = 0.99;     ///< of the fabric's stiffness, below which an edge is softer
-constexpr double kRunsIn = 0.05;   ///< of a rim, from which on it runs along warp or weft
-constexpr double kAtLimit = 1.02;  ///< of the length that it gives: the mesh is no finer than that
+constexpr double kSoft = 0.99;    ///< of the fabric's stiffness, below which an edge is softer
+constexpr double kRunsIn = 0.05;  ///< of a rim, from which on it runs along warp or weft
 
 std::string name_of(const Opening& o, const std::string& piece) {
   using kinds::OpeningUse;
@@ -111,6 +110,8 @@ class RimFinder {
 
 }  // namespace
 
+double borne_strain(double valid, double stretch) { return std::max(kFarBeyond * valid, stretch); }
+
 double Rim::cut() const { return stretched(0, 0, 0); }
 
 double Rim::stretched(double warp, double weft, double shear) const {
@@ -124,6 +125,11 @@ double Rim::stretched(double warp, double weft, double shear) const {
 
 double Rim::opened(const fabric::Material& material) const {
   return stretched(material.gives_warp(), material.gives_weft(), material.valid_shear);
+}
+
+double Rim::borne(const fabric::Material& m) const {
+  return stretched(borne_strain(m.valid_strain_warp, m.stretch_warp),
+                   borne_strain(m.valid_strain_weft, m.stretch_weft), m.valid_shear);
 }
 
 bool Rim::is_stated(const fabric::Material& material) const {
@@ -154,10 +160,10 @@ std::vector<std::string> overstretched_rims(const std::vector<Rim>& rims,
                                             const fabric::Material& material) {
   std::vector<std::string> found;
   for (const Rim& rim : rims) {
-    const double now = rim.length(x), most = rim.opened(material);
-    if (!rim.is_stated(material) || now <= kAtLimit * most) continue;
+    const double now = rim.length(x), most = rim.borne(material);
+    if (!rim.is_stated(material) || now <= most) continue;
     found.push_back(fmt::format(
-        "{} is stretched to {:.3f} m, {:.3f} m as cut, and {} is known to give to {:.3f} m: it "
+        "{} is stretched to {:.3f} m, {:.3f} m as cut, where {} bears no more than {:.3f} m: it "
         "would tear there, or nobody would get into it",
         rim.name, now, rim.cut(), printable(material.name), most));
   }

@@ -10,6 +10,14 @@
 
 namespace loosefit::drape {
 
+/// So many times the range over which a law was measured it is no law any more [–]: wovens have
+/// torn, and knits are some ten times stiffer there. A choice.
+inline constexpr double kFarBeyond = 2;
+
+/// Strain that cloth bears, by its valid strain and its stretch, 0 where they are not stated [–]:
+/// kFarBeyond times the first, or the second where that is more.
+double borne_strain(double valid, double stretch);
+
 /// The curve that decides how far an opening lets a body pass: the edge of the cloth. Of an edge
 /// that is softer than the garment's fabric, as an elastic waistband, it is the seam by which that
 /// gathers the fabric, for it gives until the fabric lies flat; of a hood it is the neckline.
@@ -32,6 +40,8 @@ struct Rim {
   double stretched(double warp, double weft, double shear) const;
   /// As far as the material is known to give (Material::gives_warp, gives_weft, valid_shear) [m].
   double opened(const fabric::Material& material) const;
+  /// As far as the material bears (borne_strain) [m].
+  double borne(const fabric::Material& material) const;
   /// Whether the material states how far it gives in the directions that the rim runs in.
   bool is_stated(const fabric::Material& material) const;
   /// Length at x [m].
@@ -42,8 +52,8 @@ struct Rim {
 std::vector<Rim> garment_rims(const garment::Garment& garment, const pattern::Pattern& pattern,
                               const body::PosedBody& body);
 
-/// Rims that are longer at x than the material is known to give, as sentences: the cloth would tear
-/// there, or nobody would get into it.
+/// Rims that are longer at x than the material bears, as sentences: the cloth would tear there, or
+/// nobody would get into it.
 std::vector<std::string> overstretched_rims(const std::vector<Rim>& rims,
                                             const std::vector<Vec3>& x,
                                             const fabric::Material& material);

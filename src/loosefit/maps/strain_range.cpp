@@ -6,6 +6,7 @@
 #include <map>
 
 #include "loosefit/body/regions.h"
+#include "loosefit/drape/rims.h"
 #include "loosefit/maps/borne_strain.h"
 #include "loosefit/maps/definitions/trellis_shear.h"
 #include "loosefit/maps/strain.h"
@@ -24,9 +25,9 @@ bool add(DirectionRange& range, double value, double area) {
 constexpr double kTornShare = 0.5;   ///< of the cloth of a region
 constexpr double kTornArea = 20e-4;  ///< [m²], that no single bad triangle makes up
 
-/// Strain that no cloth bears; infinite where nothing is stated.
+/// Infinite where nothing is stated.
 double bears(double valid, double stretch) {
-  const double most = std::max(kFarBeyond * valid, stretch);
+  const double most = drape::borne_strain(valid, stretch);
   return most > 0 ? most : std::numeric_limits<double>::infinity();
 }
 

@@ -29,10 +29,6 @@ struct StrainRange {
 StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3>& positions,
                          const fabric::Material& material);
 
-/// So many times the range over which a law was measured it is no law any more [–]: wovens have
-/// torn, and knits are some ten times stiffer there. A choice.
-inline constexpr double kFarBeyond = 2;
-
 /// A torn region: a place of the wearer where cloth is strained so far that it would tear.
 struct TornRegion {
   std::string name;               ///< of the region (body/regions.h)
@@ -42,8 +38,8 @@ struct TornRegion {
 };
 
 /// Regions of the body where more than half of the cloth, and more than 20 cm² of it, is strained
-/// along warp or weft beyond kFarBeyond times the stated range, and beyond the stated stretch of a
-/// knit. In the order of the regions. A body without segments is one region.
+/// along warp or weft beyond what it bears (drape::borne_strain). In the order of the regions. A
+/// body without segments is one region.
 std::vector<TornRegion> torn_regions(const garment::Garment& garment,
                                      const std::vector<Vec3>& positions,
                                      const fabric::Material& material, const body::PosedBody& body);
