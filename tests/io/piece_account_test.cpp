@@ -205,6 +205,24 @@ TEST(PatternAccount, LineCalledAHoleByItsNameOrATextInItIsCut) {
   EXPECT_TRUE(tells(by_text.used, "\"neck hole\""));
 }
 
+TEST(PatternAccount, HoleOfAPieceOfOpenLinesIsCutAndOneInNoPieceIsTold) {
+  const std::string sides =
+      "<path d=\"M 50,50 H 650\"/><path d=\"M 650,50 V 900\"/><path d=\"M 650,900 H 50\"/>"
+      "<path d=\"M 50,900 V 50\"/>";
+  const std::string hole =
+      "<path inkscape:label=\"neck hole\" d=\"" + std::string(kCircle) + "\"/>";
+  const PatternFile open =
+      parse_svg_pattern(svg_page("", "<g inkscape:label=\"tunic\">" + sides + hole + "</g>"), "t");
+  ASSERT_EQ(open.pattern.panels.size(), 1u);
+  EXPECT_NEAR(area_mm2(open), 600 * 850 - circle_area(), 50);
+  const PatternFile lone = parse_svg_pattern(
+      svg_page("", "<g inkscape:label=\"tunic\">" + sides +
+                       "</g><circle id=\"neck-hole\" cx=\"2000\" cy=\"0\" r=\"90\"/>"),
+      "t");
+  ASSERT_EQ(lone.pattern.panels.size(), 1u);
+  EXPECT_TRUE(tells(lone.warnings, "\"neck-hole\"")) << all(lone.warnings);
+}
+
 TEST(PatternAccount, LineThatIsNotCutIsNamedInAWarning) {
   for (const char* called : {"pocket place", "badge", "buttonhole"}) {
     const PatternFile file = parse_svg_pattern(

@@ -309,6 +309,7 @@ void find_holes(const DxfBlock& block, const Found& found, double metre, DrawnPi
   if (open > 0 && piece.holes.empty())
     piece.notes.push_back(
         fmt::format("{} cutouts on layer 11 are not cut, they do not close", open));
+  std::vector<std::string> drawn;
   for (const Outline& loop : loops_on(block, 8, metre, open)) {
     if (std::abs(outline_area(loop)) < kSmallestPiece || !lies_within(loop, found.outline) ||
         is_copy(loop, found.outline))
@@ -316,11 +317,13 @@ void find_holes(const DxfBlock& block, const Found& found, double metre, DrawnPi
     if (const std::string text = hole_name(block, loop, metre); !text.empty())
       cut(loop, text);
     else
-      piece.notes.push_back(
-          "a closed line of " + square_centimetres(loop) +
-          " on layer 8 (internal lines) is drawn on it and not cut; cutouts stand "
-          "on layer 11");
+      drawn.push_back(square_centimetres(loop));
   }
+  if (!drawn.empty())
+    piece.notes.push_back(fmt::format(
+        "{} closed lines on layer 8 (internal lines), the largest of {}, are drawn on it and not "
+        "cut; cutouts stand on layer 11",
+        drawn.size(), drawn.front()));
 }
 
 /// Where a notch lies along the outline: a point, a line from the outline inwards, or the two legs

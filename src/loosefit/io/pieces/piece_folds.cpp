@@ -17,6 +17,7 @@ constexpr double kOneLine = 2e-3;        // apart from each other are marks of o
 constexpr double kRightAngle = 0.02;     // cosine of what still is one
 constexpr double kArrowHead = 0.25;      // of the longest mark: shorter ones are heads of its arrow
 constexpr std::size_t kMostNodes = 100;  // of a mark whose sides are tried
+constexpr std::size_t kMostMarks = 100;  // of a piece
 constexpr double kSymmetric = 2e-3;      // between a hole and its image [m]
 
 Vec2 across_of(const Axis& axis) {
@@ -67,7 +68,7 @@ std::vector<Mark> fold_lines(const DrawnPiece& piece) {
   std::vector<Mark> all;
   double longest = 0;
   for (const std::vector<Vec2>& mark : piece.folds) {
-    if (mark.size() < 2) continue;
+    if (mark.size() < 2 || all.size() >= kMostMarks) continue;
     for (const Mark& line : lines_of(mark, piece.outline)) {
       longest = std::max(longest, length_of(line.axis));
       all.push_back(line);

@@ -25,14 +25,16 @@ std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
   return best;
 }
 
-/// The texts that stand in a piece or beside it.
-std::vector<std::string> texts_of(const SvgDocument& document, double unit, const SvgPlaces& places,
-                                  int piece) {
-  std::vector<std::string> texts;
+/// Per piece the texts in it or beside it that say how often it is cut or speak of a fold.
+std::vector<std::vector<std::string>> telling_texts(const SvgDocument& document, double unit,
+                                                    const SvgPlaces& places, std::size_t pieces) {
+  std::vector<std::vector<std::string>> texts(pieces);
   for (const SvgText& text : document.texts) {
+    if (!find_quantity(text.words) && !pattern::words_of(text.words).fold) continue;
     std::optional<Vec2> at;
     if (text.at) at = in_metres({*text.at}, unit)[0];
-    if (places.piece_of(text.groups, at) == piece) texts.push_back(trimmed_words(text.words));
+    const int p = places.piece_of(text.groups, at);
+    if (p >= 0) texts[p].push_back(trimmed_words(text.words));
   }
   return texts;
 }
@@ -98,9 +100,10 @@ void give_marks(const SvgDocument& document, double unit, const std::vector<cons
 void give_counts(const SvgDocument& document, double unit,
                  const std::vector<const SvgShape*>& shapes, const SvgPlaces& places,
                  std::vector<CountedPiece>& pieces) {
+  const auto all_texts = telling_texts(document, unit, places, pieces.size());
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     DrawnPiece& piece = pieces[p].piece;
-    const std::vector<std::string> texts = texts_of(document, unit, places, static_cast<int>(p));
+    const std::vector<std::string>& texts = all_texts[p];
     std::vector<std::string> labels;
     std::optional<PieceCount> known;
     const auto take = [&](const std::optional<PieceCount>& count) {

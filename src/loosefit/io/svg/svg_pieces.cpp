@@ -47,11 +47,12 @@ class Sorter {
     std::vector<CountedPiece> pieces;
     std::map<int, int> pieces_of_group;
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (within_[i] < 0) ++pieces_of_group[innermost_group(*closed_[i].shape)];
+      if (is_outline(i)) ++pieces_of_group[innermost_group(*closed_[i].shape)];
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      if (within_[i] < 0)
+      if (is_outline(i))
         pieces.push_back(piece_of_outline(i, pieces_of_group, pieces.size(), left));
     chain_groups(pieces, pieces_of_group);
+    cut_lone_holes(pieces, left);
     give_marks(document_, unit_, marks_, places_, pieces, left);
     give_counts(document_, unit_, shapes_, places_, pieces);
     for (int k = chained_; k < static_cast<int>(open_.size()); ++k)
@@ -60,6 +61,29 @@ class Sorter {
   }
 
  private:
+  /// In no other line, and called no hole: "keyhole back" is the piece.
+  bool is_outline(std::size_t i) const {
+    if (within_[i] >= 0) return false;
+    const pattern::PieceWords words = words_of_shape(*closed_[i].shape);
+    return !is_called_hole(document_, *closed_[i].shape) || words.front || words.back ||
+           words.sleeve || words.leg || words.skirt || words.yoke || words.hood || words.top;
+  }
+
+  /// Holes of pieces that are drawn by open lines.
+  void cut_lone_holes(std::vector<CountedPiece>& pieces, LeftOut& left) const {
+    for (std::size_t i = 0; i < closed_.size(); ++i) {
+      if (within_[i] >= 0 || is_outline(i)) continue;
+      const SvgShape& shape = *closed_[i].shape;
+      const int p = places_.piece_of(shape.groups, closed_[i].line.points[0]);
+      const std::string name = own_name(shape.label, shape.id);
+      if (p >= 0)
+        pieces[p].piece.holes.push_back({name.empty() ? "hole" : name, closed_[i].line.points});
+      else
+        left.tell("closed line " + called_line(shape) +
+                  ": it is called a hole and lies in no piece, nothing is cut");
+    }
+  }
+
   CountedPiece piece_of_outline(std::size_t i, const std::map<int, int>& pieces_of_group,
                                 std::size_t number, LeftOut& left) {
     const std::vector<std::size_t> sizes = outlines_within(i);
@@ -302,7 +326,7 @@ class Sorter {
   std::ptrdiff_t pieces_in(int group) const {
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < closed_.size(); ++i)
-      count += within_[i] < 0 && stands_in(*closed_[i].shape, group);
+      count += is_outline(i) && stands_in(*closed_[i].shape, group);
     return count;
   }
 
