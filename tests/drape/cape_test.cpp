@@ -71,7 +71,7 @@ TEST(Cape, ATubeOfThatGirthAtTheWaistIsStillASkirt) {
 
 TEST(Cape, APonchoHangsOnTheShoulders) {
   testing_support::expect_worn_and_settled(
-      poncho(woman()->landmarks.at("hps_L").z() + 0.05, 1.2, 0.6, 0.32), 0.04, woman());
+      poncho(woman()->landmarks.at("hps_L").z() + 0.05, 0.9, 0.45, 0.32), 0.05, woman());
 }
 
 }  // namespace

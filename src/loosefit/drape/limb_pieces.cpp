@@ -107,15 +107,17 @@ void LimbPieces::lay_piece(const Piece& piece, const pattern::Pattern& pattern,
   for (int v : piece.vertices) centre += x[v] / static_cast<double>(piece.vertices.size());
   const Polyline rest = line_of(at_rest_, piece.limb), worn = line_of(worn_, piece.limb);
   // The limb moves rigidly from rest to the posture, as far as it goes through the piece.
-  const double s = rest.project(centre);
+  double s = rest.project(centre);
   Vec3 from = rest.at(s).point, to = worn.at(s).point, along = rest.at(s).tangent;
   if (!piece.is_round) {
     from = piece.upper;
     const double way =
         is_arm(piece.limb) ? (from - rest.at(0).point).norm() : std::max(0.0, rest.project(from));
     to = worn.at(way).point;
-    if (is_arm(piece.limb))
+    if (is_arm(piece.limb)) {
       along = ((piece.one_ended ? centre : piece.lower) - piece.upper).normalized();
+      s = way + (centre - from).norm();
+    }
   }
   const Mat3 turn =
       geometry::rotation_between(along, worn.at(s).tangent).toRotationMatrix();
