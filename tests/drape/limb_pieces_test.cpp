@@ -34,7 +34,7 @@ void stand_beside(pattern::Panel& panel, double outwards, const Vec3& at) {
 pattern::Pattern sock(int side, double beside, double apart, double height, double length) {
   const double back = 0.065, front = length - back, wide = 0.15, toe = 0.06, instep = 0.12;
   const std::vector<Vec2> outer = {
-      {0.03 - front, 0},     {back, 0},           {back, height},       {back - wide, height},
+      {0.03 - front, 0},     {back, 0},           {back, height},     {back - wide, height},
       {back - wide, instep}, {0.02 - front, toe}, {-front, 0.5 * toe}};
   std::vector<Vec2> inner;
   for (int i : {1, 0, 6, 5, 4, 3, 2}) inner.emplace_back(-outer[i].x(), outer[i].y());

@@ -74,8 +74,7 @@ std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geomet
                      cloth.max() + margin),
       spacing, covers);
   std::shared_ptr<const contact::Floor> floor;
-  if (height)
-    floor = std::make_shared<const contact::Floor>(*height);
+  if (height) floor = std::make_shared<const contact::Floor>(*height);
   return std::make_shared<const ContactBody>(
       ContactBody{std::move(body), std::move(field), std::move(floor)});
 }
