@@ -25,8 +25,8 @@ TEST(FloorUnder, SolesOfWhoeverStandsWhereverTheyStand) {
 TEST(FloorUnder, NoneWhereFeetAreNotLowestOrNobodyTells) {
   // Head down, and on the back.
   for (const double angle : {180.0, 90.0})
-    EXPECT_FALSE(floor_under(stick(
-        Eigen::Isometry3d(Eigen::AngleAxisd(radians(angle), Vec3::UnitX())))));
+    EXPECT_FALSE(
+        floor_under(stick(Eigen::Isometry3d(Eigen::AngleAxisd(radians(angle), Vec3::UnitX())))));
   Body bare = stick();
   bare.segment.clear();
   EXPECT_FALSE(floor_under(bare));

@@ -25,9 +25,9 @@ pattern::Pattern poncho(double top, double width, double length, double neck) {
   const double w = width / 2, n = neck / 2;
   for (const double deep : {0.08, 0.03}) {
     const bool front = deep > 0.05;
-    pattern::Panel panel = polygon_panel(
-        front ? "front" : "back",
-        {{-w, -length}, {w, -length}, {w, 0}, {n, 0}, {0, -deep}, {-n, 0}, {-w, 0}});
+    pattern::Panel panel =
+        polygon_panel(front ? "front" : "back",
+                      {{-w, -length}, {w, -length}, {w, 0}, {n, 0}, {0, -deep}, {-n, 0}, {-w, 0}});
     const double side = front ? 1 : -1;
     panel.rotation.col(0) = side * Vec3::UnitX();
     panel.rotation.col(1) = Vec3::UnitZ();
@@ -71,7 +71,7 @@ TEST(Cape, ATubeOfThatGirthAtTheWaistIsStillASkirt) {
 
 TEST(Cape, APonchoHangsOnTheShoulders) {
   testing_support::expect_worn_and_settled(
-      poncho(woman()->landmarks.at("hps_L").z() + 0.05, 1.2, 0.6, 0.32), 0.04, woman());
+      poncho(woman()->landmarks.at("hps_L").z() + 0.05, 0.9, 0.45, 0.32), 0.05, woman());
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "loosefit/base/error.h"
 #include "loosefit/drape/arrange_panels.h"
+#include "loosefit/drape/phases/sew_on.h"
 #include "loosefit/garment/assemble.h"
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
@@ -31,17 +33,19 @@ void stand_beside(pattern::Panel& panel, double outwards, const Vec3& at) {
 /// wearer, `apart` from the middle of the foot at x = side · `beside`.
 pattern::Pattern sock(int side, double beside, double apart, double height, double length) {
   const double back = 0.065, front = length - back, wide = 0.15, toe = 0.06, instep = 0.12;
-  std::vector<Vec2> outer = {{-front, 0},           {back, 0},       {back, height},
-                             {back - wide, height}, {back - wide, instep}, {-front, toe}};
+  const std::vector<Vec2> outer = {
+      {0.03 - front, 0},     {back, 0},           {back, height},     {back - wide, height},
+      {back - wide, instep}, {0.02 - front, toe}, {-front, 0.5 * toe}};
   std::vector<Vec2> inner;
-  for (int i : {1, 0, 5, 4, 3, 2}) inner.emplace_back(-outer[i].x(), outer[i].y());
+  for (int i : {1, 0, 6, 5, 4, 3, 2}) inner.emplace_back(-outer[i].x(), outer[i].y());
   pattern::Pattern pattern;
   pattern.name = "sock";
   pattern.panels = {polygon_panel("plus", outer), polygon_panel("minus", inner)};
   stand_beside(pattern.panels[0], 1, Vec3(side * beside + apart, 0, 0));
   stand_beside(pattern.panels[1], -1, Vec3(side * beside - apart, 0, 0));
-  pattern.stitches = {stitch(0, 0, 1, 0), stitch(0, 1, 1, 5), stitch(0, 3, 1, 3),
-                      stitch(0, 4, 1, 2), stitch(0, 5, 1, 1)};
+  // All edges but those at the top, 2 and 5.
+  for (const auto& [a, b] : {std::pair(0, 0), {1, 6}, {3, 4}, {4, 3}, {5, 2}, {6, 1}})
+    pattern.stitches.push_back(stitch(0, a, 1, b));
   return pattern;
 }
 
@@ -104,20 +108,74 @@ TEST(LimbPieces, ASockIsArrangedBesideItsFootWhereverTheFileHasIt) {
   }
 }
 
-TEST(LimbPieces, ASockOfAKnitIsWornOnItsFoot) {
-  testing_support::expect_worn_and_settled(sock(-1, 0.14, 0.1, 0.28, 0.26), 0.03, woman());
+TEST(LimbPieces, AGloveWithFingersFindsNoPlaceAMittenDoes) {
+  // On the right hand, as the wearer holds it.
+  const Vec3 wrist = woman()->joints.at("wrist_R"), elbow = woman()->joints.at("elbow_R");
+  const Vec3 down = (wrist - elbow).normalized(),
+             back = (Vec3::UnitY() - down.y() * down).normalized();
+  const auto hand = [&](bool fingers) {
+    std::vector<Vec2> outer = {{0.06, 0}, {0.06, 0.20}};
+    if (fingers)
+      for (const double x : {0.035, 0.01, -0.015, -0.04})
+        for (const auto& [dx, y] : {std::pair(0.006, 0.20), {0.0, 0.12}, {-0.006, 0.20}})
+          outer.emplace_back(x + dx, y);
+    outer.emplace_back(-0.06, 0.20), outer.emplace_back(-0.06, 0);
+    std::vector<Vec2> inner;
+    for (std::size_t i = outer.size(); i-- > 0;) inner.emplace_back(-outer[i].x(), outer[i].y());
+    pattern::Pattern pattern;
+    pattern.panels = {polygon_panel("outer", outer), polygon_panel("inner", inner)};
+    for (int k : {0, 1}) {
+      pattern::Panel& panel = pattern.panels[k];
+      panel.rotation.col(2) = k == 0 ? back : Vec3(-back);
+      panel.rotation.col(1) = down;
+      panel.rotation.col(0) = panel.rotation.col(1).cross(panel.rotation.col(2));
+      panel.translation = wrist + 0.07 * panel.rotation.col(2);
+    }
+    // All edges but the last one, at the wrist.
+    const int n = static_cast<int>(outer.size());
+    for (int e = 0; e + 1 < n; ++e) pattern.stitches.push_back(stitch(0, e, 1, n - 2 - e));
+    return pattern;
+  };
+  const auto arranged = [&](const pattern::Pattern& pattern) {
+    const garment::Garment sewn = garment::assemble(pattern, 0.02, fabric::Material{});
+    return arrange_panels(sewn, garment::open_seams(sewn), pattern, woman());
+  };
+  EXPECT_THROW(arranged(hand(true)), GeometryError);
+  const ArrangedPanels mitten = arranged(hand(false));
+  EXPECT_TRUE(mitten.on_limbs);
+  double farthest = 0, fingertips = 0;
+  for (const Vec3& p : mitten.x) farthest = std::max(farthest, (p - wrist).dot(down));
+  for (std::size_t i = 0; i < woman()->surface.vertices.size(); ++i)
+    if (woman()->segment[i] == body::Segment::hand && woman()->side[i] < 0)
+      fingertips = std::max(fingertips, (woman()->surface.vertices[i] - wrist).dot(down));
+  EXPECT_NEAR(farthest, fingertips, 0.035);
 }
 
-TEST(LimbPieces, AStripInOnePieceIsWornRoundACalfAWristOrTheHead) {
+TEST(LimbPieces, ASockOfAKnitIsWornOnItsFoot) {
+  testing_support::expect_worn_and_settled(sock(-1, 0.14, 0.1, 0.28, 0.29), 0.02, woman());
+}
+
+TEST(LimbPieces, AStripInOnePieceIsSewnRoundTheLimbBeforeWhichItLies) {
   const auto& joints = woman()->joints;
-  const Vec3 calf = 0.6 * joints.at("knee_L") + 0.4 * joints.at("ankle_L");
-  testing_support::expect_worn_and_settled(
-      ring(calf, 0.9 * woman()->measured.at("calf"), 0.10), 0.03, woman());
-  const Vec3 head = joints.at("neck") + Vec3(0, 0, 0.16);
-  const auto openings = openings_of(ring(head, 0.52, 0.06));
-  ASSERT_EQ(openings.size(), 2u);
-  EXPECT_EQ(openings[0].use, kinds::OpeningUse::limb);
-  EXPECT_EQ(openings[0].round, round_limb(kHead));
+  const LimbLines lines = limb_lines(woman().body());
+  for (const auto& [limb, middle, girth] :
+       {std::tuple(kLeftLeg, Vec3(0.5 * (joints.at("knee_L") + joints.at("ankle_L"))), 0.36),
+        {kRightLeg, joints.at("knee_R") + Vec3(0, 0, 0.06), 0.40},
+        {kHead, joints.at("neck") + Vec3(0, 0, 0.16), 0.56}}) {
+    const pattern::Pattern pattern = ring(middle, girth, 0.08);
+    const garment::Garment sewn = garment::assemble(pattern, 0.02, fabric::Material{});
+    const std::vector<Vec3> x = sew_on(sewn, pattern, woman());
+    const auto openings = garment_openings(sewn, pattern, woman());
+    ASSERT_EQ(openings.size(), 2u);
+    for (const Opening& o : openings) {
+      EXPECT_EQ(o.use, kinds::OpeningUse::limb) << limb_name(limb);
+      EXPECT_EQ(o.round, round_limb(limb)) << limb_name(limb);
+      EXPECT_EQ(limbs_through_openings(o.loop, x, lines), round_limb(limb)) << limb_name(limb);
+      double z = 0;
+      for (int v : o.loop) z += x[v].z() / static_cast<double>(o.loop.size());
+      EXPECT_NEAR(z, o.placed.z(), 0.05) << limb_name(limb);
+    }
+  }
 }
 
 }  // namespace

@@ -20,6 +20,14 @@ TEST(StopReason, PutsItsFiguresIntoTheSentence) {
             "given up: the cloth is caught 7 mm deep in a fold of the skin");
   EXPECT_EQ((Stop{.reason = StopReason::posture_too_long, .iterations = 612}.text()),
             "given up after 612 iterations on the finest level");
+  EXPECT_EQ((Stop{.reason = StopReason::no_progress, .iterations = 800, .residual = 3.5}.text()),
+            "given up: the net force has made no progress in 800 iterations; at its lowest it was "
+            "3.5 times the weight");
+  EXPECT_EQ((Stop{.reason = StopReason::slides_down, .iterations = 800, .sunk = 0.104}.text()),
+            "the cloth slides down and nothing holds it: its middle has sunk by 0.10 m in 800 "
+            "iterations that brought it no nearer to rest");
+  EXPECT_TRUE(falls(StopReason::slides_down));
+  EXPECT_FALSE(falls(StopReason::no_progress));
 }
 
 TEST(StopReason, NamesThePanelsThatFallAtMostSixOfThem) {

@@ -84,6 +84,7 @@ class Arranger {
       }
       std::vector<int> trunk = trunk_vertices();
       std::erase_if(trunk, [&](int v) { return is_wrapped(g_.vertex_panel[v]); });
+      squeeze_above_floor(x_, trunk, body_);
       // The arms are within a cape.
       if (loop_of(kinds::OpeningUse::cape_hem).empty()) {
         squeeze_between_hands(x_, trunk, body_);
@@ -145,10 +146,25 @@ class Arranger {
     return found;
   }
 
+  /// Vertices of the open garment, of those of the sewn one.
+  std::vector<int> on_rim(const std::set<int>& loop) const {
+    std::vector<int> found;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (loop.count(open_.sewn[v])) found.push_back(v);
+    return found;
+  }
+
   Vec3 mean(const std::vector<int>& of, const std::vector<Vec3>& x) const {
     Vec3 sum = Vec3::Zero();
     for (int v : of) sum += x[v] / static_cast<double>(of.size());
     return sum;
+  }
+
+  std::vector<int> vertices_of(int panel) const {
+    std::vector<int> of;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (g_.vertex_panel[v] == panel) of.push_back(v);
+    return of;
   }
 
   std::set<int> panels_of(const std::vector<int>& vertices) const {
@@ -163,9 +179,8 @@ class Arranger {
     const std::vector<int> right = armhole(PanelRole::right_arm, true);
     holes.insert(holes.end(), right.begin(), right.end());
     for (kinds::OpeningUse use : {kinds::OpeningUse::left_arm, kinds::OpeningUse::right_arm}) {
-      const std::set<int> loop = loop_of(use);
-      for (int v = 0; v < g_.vertex_count; ++v)
-        if (role(v) == PanelRole::trunk && loop.count(open_.sewn[v])) holes.push_back(v);
+      for (int v : on_rim(loop_of(use)))
+        if (role(v) == PanelRole::trunk) holes.push_back(v);
     }
     return holes;
   }
@@ -189,12 +204,11 @@ class Arranger {
 
   std::vector<int> seams_beside_neck() const {
     double lowest = std::numeric_limits<double>::infinity();
-    for (int v : cape_neck()) lowest = std::min(lowest, placed_[v].z());
+    for (int v : cape_neck()) lowest = std::min(lowest, placed_[v].z() - kAgrees);
     std::vector<int> found;
     for (const std::vector<int>& of : open_.partners)
-      if (std::all_of(of.begin(), of.end(), [&](int v) {
-            return role(v) == PanelRole::trunk && placed_[v].z() > lowest - kAgrees;
-          }))
+      if (std::ranges::all_of(
+              of, [&](int v) { return role(v) == PanelRole::trunk && placed_[v].z() > lowest; }))
         found.insert(found.end(), of.begin(), of.end());
     return found;
   }
@@ -202,11 +216,7 @@ class Arranger {
   /// Vertices at the neck of a cape or poncho.
   std::vector<int> cape_neck() const {
     if (loop_of(kinds::OpeningUse::cape_hem).empty()) return {};
-    const std::set<int> loop = loop_of(kinds::OpeningUse::neck);
-    std::vector<int> found;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (loop.count(open_.sewn[v])) found.push_back(v);
-    return found;
+    return on_rim(loop_of(kinds::OpeningUse::neck));
   }
 
   // --- where the trunk's panels go
@@ -221,10 +231,8 @@ class Arranger {
   }
 
   double rise() const {
-    if (const auto dz = rise_to_shoulders()) return *dz;
-    if (const auto dz = rise_to_crotch()) return *dz;
-    if (const auto dz = rise_to_neck()) return *dz;
-    if (const auto dz = rise_of_tube()) return *dz;
+    for (const auto& dz : {rise_to_shoulders(), rise_to_crotch(), rise_to_neck(), rise_of_tube()})
+      if (dz) return *dz;
     return 0;
   }
 
@@ -255,10 +263,11 @@ class Arranger {
   std::optional<double> rise_to_neck() const {
     const std::vector<int> neck = cape_neck();
     const auto left = body_->landmarks.find("hps_L"), right = body_->landmarks.find("hps_R");
-    if (neck.empty() || left == body_->landmarks.end() || right == body_->landmarks.end()) return {};
-    double top = -std::numeric_limits<double>::infinity();
-    for (int v : neck) top = std::max(top, placed_[v].z());
-    return 0.5 * (left->second.z() + right->second.z()) - top;
+    if (neck.empty() || left == body_->landmarks.end() || right == body_->landmarks.end())
+      return {};
+    const auto lower = [&](int v, int w) { return placed_[v].z() < placed_[w].z(); };
+    return 0.5 * (left->second.z() + right->second.z()) -
+           placed_[*std::ranges::max_element(neck, lower)].z();
   }
 
   std::optional<double> rise_to_crotch() const {
@@ -332,11 +341,8 @@ class Arranger {
   /// and squeezed until it is above the foot: a hem that begins before the toes would be sewn round
   /// the length of the foot. It comes down over it by itself.
   void along_leg(double crotch, int side, const std::string& name) {
-    const std::set<int> loop =
-        loop_of(side > 0 ? kinds::OpeningUse::left_leg : kinds::OpeningUse::right_leg);
-    std::vector<int> hem;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (loop.count(open_.sewn[v])) hem.push_back(v);
+    const std::vector<int> hem =
+        on_rim(loop_of(side > 0 ? kinds::OpeningUse::left_leg : kinds::OpeningUse::right_leg));
     if (hem.empty()) return;
     const Vec3 end = mean(hem, x_);
     double lowest = end.z();
@@ -420,9 +426,7 @@ class Arranger {
   Vec3 sleeve_axis(const std::vector<int>& end, const std::vector<int>& hole) const {
     const Vec3 way = mean(end, placed_) - mean(hole, placed_);
     Vec3 sum = Vec3::Zero();
-    std::set<int> panels;
-    for (int v : end) panels.insert(g_.vertex_panel[v]);
-    for (int k : panels) {
+    for (int k : panels_of(end)) {
       int a = -1, b = -1;
       double longest = 0;
       for (int v : end)
@@ -441,9 +445,7 @@ class Arranger {
 
   /// Outwards in steps until every vertex is clear of the body.
   void clear_along_normal(int panel) {
-    std::vector<int> of;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (g_.vertex_panel[v] == panel) of.push_back(v);
+    const std::vector<int> of = vertices_of(panel);
     for (int step = 0; step < kSteps; ++step) {
       const bool clear = std::all_of(of.begin(), of.end(), [&](int v) {
         return body_.tree().signed_distance(x_[v], nullptr, 1.0) > kClear;
@@ -455,10 +457,7 @@ class Arranger {
 
   /// A tube in one piece that is sewn to itself; whether the panel is one.
   bool roll_round_trunk(int panel) {
-    std::vector<int> of;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (g_.vertex_panel[v] == panel) of.push_back(v);
-    const Vec3 middle = mean(of, x_);
+    const Vec3 middle = mean(vertices_of(panel), x_);
     const RolledPanel tube(open_, x_, panel, middle, Vec3::UnitZ(), outside_[panel]);
     if (!tube.goes_round()) return false;
     const Polyline trunk = trunk_line(limb_lines(body_.body()));

@@ -15,8 +15,7 @@ void clear_panel(const garment::OpenSeams& open, int panel, const Mat3& frame, d
   Eigen::AlignedBox2d box;
   double plane = 0;
   for (int v = 0; v < g.vertex_count; ++v)
-    if (g.vertex_panel[v] == panel)
-      box.extend(Vec2(x[v].dot(u), x[v].dot(w))), plane = x[v].dot(n);
+    if (g.vertex_panel[v] == panel) box.extend(Vec2(x[v].dot(u), x[v].dot(w))), plane = x[v].dot(n);
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < body->surface.vertices.size(); ++i) {
     if (!counts(i)) continue;

@@ -106,8 +106,8 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
         lattice_.back().first_points(half_thickness_.back()), contact_stiffness_.back(),
         m.friction_body, tuning.stick_reach));
     floor_.push_back(std::make_unique<contact::BodyContact>(
-        corner_points(mesh_, l, half_thickness_.back()), contact_stiffness_.back(),
-        m.friction_body, tuning.stick_reach));
+        corner_points(mesh_, l, half_thickness_.back()), contact_stiffness_.back(), m.friction_body,
+        tuning.stick_reach));
     under_soles_.push_back(layers[l].under_soles);
     // A single layer needs no thickness by triangle.
     if (mesh_.layers() > 1)

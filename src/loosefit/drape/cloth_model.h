@@ -20,9 +20,9 @@ namespace loosefit::drape {
 
 /// What cloth remembers of its past: where it sticks, and how its yarns lie.
 struct ClothMemory {
-  std::vector<contact::BodyContact::Memory> body;  ///< per layer
+  std::vector<contact::BodyContact::Memory> body;   ///< per layer
   std::vector<contact::BodyContact::Memory> floor;  ///< per layer
-  std::vector<contact::ContactLattice> lattice;    ///< per layer
+  std::vector<contact::ContactLattice> lattice;     ///< per layer
   contact::SelfContact::Memory self;
   std::vector<std::vector<fabric::PlaneRows>> bending;
 };

@@ -124,7 +124,8 @@ bool ClothState::is_near_enough(double residual) {
   const auto left = left_to_go(model->system(), triangles(), x);
   return left && left->is_grade_b() &&
          solver::residual_of(model->system(), model->system().gradient(x)).largest <=
-             solver::kRestLargestB && geometry::self_intersections(x, triangles()).empty() &&
+             solver::kRestLargestB &&
+         geometry::self_intersections(x, triangles()).empty() &&
          geometry::folded_edges(x, triangles()).empty() &&
          geometry::mesh_intersections(x, triangles(), body->body.tree()).empty() &&
          model->below_floor(x).empty();
@@ -145,8 +146,8 @@ bool ClothState::is_stalled(int iteration, double residual) {
   if (const double sunk = progress_height_ - height(); sunk > tuning.stall.slides)
     falling = Stop{.reason = StopReason::slides_down, .iterations = since, .sunk = sunk};
   else
-    stalled = Stop{
-        .reason = StopReason::no_progress, .iterations = since, .residual = progress_to_};
+    stalled =
+        Stop{.reason = StopReason::no_progress, .iterations = since, .residual = progress_to_};
   return true;
 }
 

@@ -11,6 +11,9 @@
 
 namespace loosefit::drape {
 namespace {
+
+constexpr double kSole = 0.02;  ///< height of the lower edge of a foot [m]
+
 /// The hull of each hand: cloth does not go between fingers, and a sleeve that is drawn over a hand
 /// is not caught on the thumb.
 std::vector<geometry::TriangleMesh> hand_hulls(const body::Body& body) {
@@ -19,6 +22,22 @@ std::vector<geometry::TriangleMesh> hand_hulls(const body::Body& body) {
     if (body.segment[v] == body::Segment::hand && v < body.side.size() && body.side[v] != 0)
       hand[body.side[v] > 0].push_back(body.surface.vertices[v]);
   return {geometry::convex_hull(hand[0]), geometry::convex_hull(hand[1])};
+}
+
+/// The lower edge of each foot down to the floor, all round: cloth that lies on the floor does not
+/// go under the rounded edge of a sole, where there is no room for it.
+std::vector<geometry::TriangleMesh> sole_hulls(const body::Body& body, double floor) {
+  std::vector<Vec3> sole[2];
+  for (std::size_t v = 0; v < body.segment.size(); ++v) {
+    const Vec3& p = body.surface.vertices[v];
+    if (body.segment[v] != body::Segment::foot || p.z() > floor + kSole) continue;
+    std::vector<Vec3>& of = sole[v < body.side.size() && body.side[v] > 0];
+    of.push_back(p);
+    of.emplace_back(p.x(), p.y(), floor);
+  }
+  std::vector<geometry::TriangleMesh> hulls;
+  for (const std::vector<Vec3>& points : sole) hulls.push_back(geometry::convex_hull(points));
+  return hulls;
 }
 
 Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {
@@ -45,14 +64,17 @@ std::shared_ptr<const ContactBody> with_field(body::PosedBody body, const geomet
   for (geometry::TriangleMesh& fold : armpit_covers(body, arms_go_up))
     covers.push_back(std::move(fold));
   for (geometry::TriangleMesh& ear : ear_covers(body)) covers.push_back(std::move(ear));
+  const std::optional<double> height = body::floor_under(body.body());
+  if (height)
+    for (geometry::TriangleMesh& sole : sole_hulls(body.body(), *height))
+      covers.push_back(std::move(sole));
   auto field = std::make_shared<const contact::DistanceField>(
       body.tree(),
       geometry::Box3(cloth.min() - margin - tuning.field_margin_below * Vec3::UnitZ(),
                      cloth.max() + margin),
       spacing, covers);
   std::shared_ptr<const contact::Floor> floor;
-  if (const auto height = body::floor_under(body.body()))
-    floor = std::make_shared<const contact::Floor>(*height);
+  if (height) floor = std::make_shared<const contact::Floor>(*height);
   return std::make_shared<const ContactBody>(
       ContactBody{std::move(body), std::move(field), std::move(floor)});
 }

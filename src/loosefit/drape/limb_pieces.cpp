@@ -18,11 +18,11 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kAgrees = 0.03;     ///< a placement so near is kept [m]
-constexpr double kAtEnd = 0.01;      ///< of a closed end from the end of its limb [m]
-constexpr double kClear = 0.01;      ///< of a panel from its limb [m]
+constexpr double kAgrees = 0.03;       ///< a placement so near is kept [m]
+constexpr double kAtEnd = 0.01;        ///< of a closed end from the end of its limb [m]
+constexpr double kClear = 0.01;        ///< of a panel from its limb [m]
 constexpr double kSlit = radians(60);  ///< between the sides of a slit that parts two fingers
-constexpr int kSlits = 2;            ///< of a glove with fingers
+constexpr int kSlits = 2;              ///< of a glove with fingers
 
 /// Where limbs begin in their lines: the arm at the shoulder, the leg at the hip, the head at the
 /// neck.
@@ -73,8 +73,12 @@ LimbPieces::LimbPieces(const garment::Garment& sewn, const garment::OpenSeams& o
     if (limb == of[0]->round.end()) continue;
     const bool first = of.size() < 2 || is_upper_end(*of[0], *of[1]);
     const Opening &upper = *of[first ? 0 : 1], &lower = *of[first ? of.size() - 1 : 0];
-    Piece piece{Limb(limb - of[0]->round.begin()), upper.placed, lower.placed, upper.placed_round,
-                of.size() < 2, {}};
+    Piece piece{Limb(limb - of[0]->round.begin()),
+                upper.placed,
+                lower.placed,
+                upper.placed_round,
+                of.size() < 2,
+                {}};
     for (int v = 0; v < open.garment.vertex_count; ++v)
       if (cloth[open.sewn[v]] == root) {
         piece.vertices.push_back(v);
@@ -88,8 +92,8 @@ bool LimbPieces::is_of_limb(Limb limb, std::size_t skin_vertex) const {
   if (skin_vertex >= body_->segment.size()) return true;
   const body::Segment s = body_->segment[skin_vertex];
   if (limb == kHead) return s == body::Segment::head || s == body::Segment::neck;
-  const bool of_arm = s == body::Segment::upper_arm || s == body::Segment::forearm ||
-                      s == body::Segment::hand;
+  const bool of_arm =
+      s == body::Segment::upper_arm || s == body::Segment::forearm || s == body::Segment::hand;
   const bool of_leg =
       s == body::Segment::thigh || s == body::Segment::shank || s == body::Segment::foot;
   const int side = limb == kLeftArm || limb == kLeftLeg ? 1 : -1;
@@ -107,18 +111,19 @@ void LimbPieces::lay_piece(const Piece& piece, const pattern::Pattern& pattern,
   for (int v : piece.vertices) centre += x[v] / static_cast<double>(piece.vertices.size());
   const Polyline rest = line_of(at_rest_, piece.limb), worn = line_of(worn_, piece.limb);
   // The limb moves rigidly from rest to the posture, as far as it goes through the piece.
-  const double s = rest.project(centre);
+  double s = rest.project(centre);
   Vec3 from = rest.at(s).point, to = worn.at(s).point, along = rest.at(s).tangent;
   if (!piece.is_round) {
     from = piece.upper;
     const double way =
         is_arm(piece.limb) ? (from - rest.at(0).point).norm() : std::max(0.0, rest.project(from));
     to = worn.at(way).point;
-    if (is_arm(piece.limb))
+    if (is_arm(piece.limb)) {
       along = ((piece.one_ended ? centre : piece.lower) - piece.upper).normalized();
+      s = way + (centre - from).norm();
+    }
   }
-  const Mat3 turn =
-      geometry::rotation_between(along, worn.at(s).tangent).toRotationMatrix();
+  const Mat3 turn = geometry::rotation_between(along, worn.at(s).tangent).toRotationMatrix();
   for (int v : piece.vertices) x[v] = to + turn * (x[v] - from);
   std::set<int> panels;
   for (int v : piece.vertices) panels.insert(open_.garment.vertex_panel[v]);
@@ -177,8 +182,9 @@ bool LimbPieces::clear_limb(int panel, const Piece& piece, const Mat3& frame,
   const double s = worn.project(middle);
   const RolledPanel rolled(open_, x, panel, middle, worn.at(s).tangent, frame.col(2));
   if (!rolled.goes_round()) {
-    clear_panel(open_, panel, frame, kClear, body_,
-                [&](std::size_t i) { return is_of_limb(piece.limb, i); }, x);
+    clear_panel(
+        open_, panel, frame, kClear, body_,
+        [&](std::size_t i) { return is_of_limb(piece.limb, i); }, x);
     return false;
   }
   rolled.place_clear(worn, s, 0, body_, x);

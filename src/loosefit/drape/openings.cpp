@@ -284,10 +284,12 @@ class ByWearer {
     const bool told = std::ranges::any_of(of, [](const Opening* o) {
       return o->use != kinds::OpeningUse::tube && o->use != kinds::OpeningUse::unknown;
     });
-    const auto for_no_limb = [&](const Opening* o) { return o->girth > kWidestLimb * cape_; };
-    if (!told && round == kRoundNothing && std::ranges::none_of(of, for_no_limb))
-      if (const int limb = limb_beside(of.front()->piece); limb != kLimbs)
-        for_limb(of, round_limb(Limb(limb)), false);
+    if (told || round != kRoundNothing) return;
+    const int limb = limb_beside(of.front()->piece);
+    const double widest = limb == kHead ? cape_ : kWidestLimb * cape_;
+    const auto fits = [&](const Opening* o) { return o->girth <= widest; };
+    if (limb != kLimbs && std::ranges::all_of(of, fits))
+      for_limb(of, round_limb(Limb(limb)), false);
   }
 
  private:

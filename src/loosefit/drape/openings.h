@@ -21,8 +21,8 @@ struct Opening {
   LimbNumbers round = kRoundNothing;  ///< for a limb: which
   /// For a limb: it goes round it where the pattern places it, too.
   bool placed_round = false;
-  bool at_waist = false;              ///< an edge is labelled "lower_interface"
-  bool at_chest = false;              ///< an edge is labelled "strapless_top"
+  bool at_waist = false;  ///< an edge is labelled "lower_interface"
+  bool at_chest = false;  ///< an edge is labelled "strapless_top"
   /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
   bool of_legs = false;
   bool of_waistband = false;  ///< of_legs, and its edges are of waistbands by name

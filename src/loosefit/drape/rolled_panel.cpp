@@ -9,7 +9,7 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kSeamSlit = 0.15;  ///< that its edges stay apart, half [rad]
+constexpr double kSeamSlit = 0.15;     ///< that its edges stay apart, half [rad]
 constexpr double kNextToSkin = 0.006;  ///< at least [m]
 constexpr double kStep = 0.01;         ///< by which it is made wider [m]
 constexpr int kSteps = 30, kWidths = 5;

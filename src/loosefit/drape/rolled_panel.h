@@ -24,8 +24,8 @@ class RolledPanel {
   void place(const Polyline& limb, double offset, double wider, std::vector<Vec3>& x) const;
   /// The same, wider in steps of 1 cm until it is clear of the body; after every five steps
   /// `farther` along the limb and as wide as it is cut again, if that is more than 0 [m].
-  void place_clear(const Polyline& limb, double offset, double farther,
-                   const body::PosedBody& body, std::vector<Vec3>& x) const;
+  void place_clear(const Polyline& limb, double offset, double farther, const body::PosedBody& body,
+                   std::vector<Vec3>& x) const;
 
  private:
   /// Where it is sewn to itself: at s along its axis, from `low` to `high` across it [m].

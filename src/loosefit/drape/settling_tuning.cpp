@@ -173,8 +173,10 @@ Fields certify_fields(CertifyTuning& t) {
 }
 
 Fields stall_fields(StallTuning& t) {
-  return Fields("stall").count("iterations", t.iterations, 1).share("progress", t.progress).length(
-      "slides", t.slides);
+  return Fields("stall")
+      .count("iterations", t.iterations, 1)
+      .share("progress", t.progress)
+      .length("slides", t.slides);
 }
 
 Fields fall_fields(FreeFallTuning& t) {

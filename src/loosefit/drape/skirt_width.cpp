@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
+#include "loosefit/body/floor_under.h"
 #include "loosefit/drape/rest_levels.h"
 
 namespace loosefit::drape {
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kFromHands = 0.04;   ///< of a skirt that is sewn, from the hands [m]
 constexpr double kBesideBody = 0.03;  ///< from the outside of the legs [m]
+constexpr double kAboveFloor = 0.04;  ///< of cloth that is sewn, above the floor [m]
 constexpr double kSlice = 0.03;       ///< of height, by which widths are compared [m]
 
 /// Half widths by slice of height [m].
@@ -62,6 +65,19 @@ void squeeze_between_hands(std::vector<Vec3>& x, const std::vector<int>& of,
     const double down = std::clamp((waist - x[v].z()) / (waist - wrist), 0.0, 1.0);
     x[v].x() = middle + (1 - (1 - room / widest) * down) * (x[v].x() - middle);
   }
+}
+
+void squeeze_above_floor(std::vector<Vec3>& x, const std::vector<int>& of,
+                         const body::PosedBody& body) {
+  const std::optional<double> floor = body::floor_under(body.body());
+  if (!floor) return;
+  const double least = *floor + kAboveFloor, crotch = *floor + RestLevels(body).crotch;
+  double lowest = crotch;
+  for (int v : of) lowest = std::min(lowest, x[v].z());
+  if (!(lowest < *floor)) return;
+  const double share = (crotch - least) / (crotch - lowest);
+  for (int v : of)
+    if (x[v].z() < crotch) x[v].z() = crotch - share * (crotch - x[v].z());
 }
 
 void stretch_round_body(std::vector<Vec3>& x, const std::vector<int>& of,

@@ -20,4 +20,9 @@ void squeeze_between_hands(std::vector<Vec3>& x, const std::vector<int>& of,
 void stretch_round_body(std::vector<Vec3>& x, const std::vector<int>& of,
                         const body::PosedBody& body);
 
+/// Cloth that reaches below the floor is squeezed upwards from the crotch down until it hangs over
+/// it: what is sewn below would be caught under the soles. It comes down by itself. `of`: as above.
+void squeeze_above_floor(std::vector<Vec3>& x, const std::vector<int>& of,
+                         const body::PosedBody& body);
+
 }  // namespace loosefit::drape

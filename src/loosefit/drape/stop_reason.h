@@ -8,15 +8,15 @@ namespace loosefit::drape {
 
 /// Why settling a drape ended.
 enum class StopReason {
-  unknown,          ///< of a drape that was read from a file: its text says why
-  converged,        ///< the tolerance is met
-  time_budget,      ///< DrapeOptions::time_budget is used up
-  iteration_limit,  ///< DrapeOptions::max_iterations are used up
-  no_descent,       ///< no step lowers the energy
-  diverged,         ///< forces that are no numbers
-  cloth_falls,      ///< the cloth has left the body
-  pieces_fall,      ///< pieces that are sewn to nothing else have left it
-  caught_in_skin,   ///< cloth lies between folds of skin, a posture was given up
+  unknown,           ///< of a drape that was read from a file: its text says why
+  converged,         ///< the tolerance is met
+  time_budget,       ///< DrapeOptions::time_budget is used up
+  iteration_limit,   ///< DrapeOptions::max_iterations are used up
+  no_descent,        ///< no step lowers the energy
+  diverged,          ///< forces that are no numbers
+  cloth_falls,       ///< the cloth has left the body
+  pieces_fall,       ///< pieces that are sewn to nothing else have left it
+  caught_in_skin,    ///< cloth lies between folds of skin, a posture was given up
   posture_too_long,  ///< a posture took too many iterations and was given up
   no_progress,       ///< the net force goes up and down and falls no further (StallTuning)
   slides_down        ///< the same, and the cloth sinks meanwhile
@@ -25,7 +25,7 @@ enum class StopReason {
 /// The reason with what its sentence needs. The sentence is what certificates show.
 struct Stop {
   StopReason reason = StopReason::unknown;
-  double depth = 0;                      ///< caught_in_skin: how deep [m]
+  double depth = 0;  ///< caught_in_skin: how deep [m]
   /// posture_too_long: allowed on the finest level; no_progress, slides_down: in which there was
   /// none.
   int iterations = 0;

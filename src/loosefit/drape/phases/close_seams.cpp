@@ -114,11 +114,14 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
                                kSkin, panels.on_limbs ? kGrip : 0, kStick);
   const auto around = with_field(body, bounds(x), kField);
   contact.set_field(around->field);
+  contact::BodyContact on_floor(contact::contact_points(g.triangles, area, g.vertex_count, kPad),
+                                kSkin, 0, kStick);
+  if (!panels.on_limbs) on_floor.set_field(around->floor);  // a sock goes under the sole
   const double thread = kThread * mean_edge(g);
   SeamPull seams(open.partners, thread, kReach);
   solver::ParticleSystem system;
   system.mass = g.vertex_mass;
-  system.energies = {&membrane, &bending, &outwards, &seams, &contact};
+  system.energies = {&membrane, &bending, &outwards, &seams, &contact, &on_floor};
 
   solver::SettleOptions options;
   options.tolerance = kTolerance;
