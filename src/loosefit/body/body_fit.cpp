@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "loosefit/base/error.h"
@@ -33,6 +34,16 @@ constexpr Plausible kPlausible[] = {
     {"calf", 0.12, 0.65},       {"ankle", 0.09, 0.42},       {"shoulder_breadth", 0.15, 0.62},
     {"arm_length", 0.18, 0.85}, {"back_length", 0.15, 0.62}, {"crotch_height", 0.18, 1.20}};
 
+/// "; inches? 33 in are 0.838 m" for each unit in which the number is plausible.
+std::string other_unit(double value, const Plausible& range) {
+  std::string units;
+  for (const auto& [name, symbol, metres] :
+       {std::tuple("centimetres", "cm", 0.01), std::tuple("inches", "in", kInch)})
+    if (value * metres >= range.low && value * metres <= range.high)
+      units += fmt::format("; {}? {:g} {} are {:.3f} m", name, value, symbol, value * metres);
+  return units;
+}
+
 void check_spec(const BodySpec& spec) {
   const auto check = [](const std::string& name, double value) {
     const auto* range = std::find_if(std::begin(kPlausible), std::end(kPlausible),
@@ -44,7 +55,7 @@ void check_spec(const BodySpec& spec) {
     if (!(value >= range->low && value <= range->high)) {
       throw InvalidInput({"", 0, name}, fmt::format("{:g} m", value),
                          fmt::format("{:g} to {:g} m", range->low, range->high),
-                         "measures are in metres");
+                         "measures are in metres" + other_unit(value, *range));
     }
   };
   if (spec.height != 0) check("height", spec.height);
@@ -93,8 +104,8 @@ OddWish odd_one_out(PersonSearch& search, const std::vector<MeasureRow>& table) 
     if (off(row) <= kResidual) continue;
     const FoundPerson others = search.nearest(without(table, row.name));
     const double usual = search.measure(others.parameters, row.name);
-    if (misses(others) || std::abs(usual / row.asked - 1) <= farthest) continue;
-    farthest = std::abs(usual / row.asked - 1);
+    if (misses(others) || std::abs(std::log(usual / row.asked)) <= farthest) continue;
+    farthest = std::abs(std::log(usual / row.asked));
     odd = {row, usual, true};
   }
   return odd;
