@@ -39,8 +39,8 @@ TEST(BoundedLeastSquares, FindsTheLeastOverTheBox) {
     const auto number = [&] { return normal(random); };
     // Columns that are much alike: what leaves the box first is often not what should stay there.
     const Eigen::VectorXd common = Eigen::VectorXd::NullaryExpr(n + 2, number);
-    const Eigen::MatrixXd a = 0.5 * Eigen::MatrixXd::NullaryExpr(n + 2, n, number) +
-                              common * Eigen::RowVectorXd::Ones(n);
+    const Eigen::MatrixXd a =
+        0.5 * Eigen::MatrixXd::NullaryExpr(n + 2, n, number) + common * Eigen::RowVectorXd::Ones(n);
     const Eigen::VectorXd b = 4 * Eigen::VectorXd::NullaryExpr(n + 2, number);
     BoundedProblem problem;
     problem.residuals = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(a * x + b); };

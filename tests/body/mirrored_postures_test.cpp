@@ -36,7 +36,8 @@ TEST(MirroredPostures, MakeMirroredBodies) {
     std::vector<JointAngle> angles;
     const auto turn = [&](const JointMotion& motion) {
       // One leg goes on from where both are.
-      const bool leg = motion.name.ends_with("hip-flexion") || motion.name.ends_with("knee-flexion");
+      const bool leg =
+          motion.name.ends_with("hip-flexion") || motion.name.ends_with("knee-flexion");
       std::uniform_real_distribution<double> angle(motion.low, motion.high);
       angles.push_back({motion.name, (leg ? 0.5 : 1) * angle(random)});
     };
@@ -59,7 +60,8 @@ TEST(HangingArms, EachFindsRoomByItself) {
   const BodyShape person = body_model().shape(woman);
   const Body upright = body_model().posed(person, kStanding),
              bent = body_model().posed(person, joint_posture({{"side-bend", 20}}));
-  // Leaning over to the left by 20°: the outer arm goes with the trunk, the inner one meets the hip.
+  // Leaning over to the left by 20°: the outer arm goes with the trunk, the inner one meets the
+  // hip.
   EXPECT_NEAR(aside(bent, "_R"), aside(upright, "_R") + 20, 3);
   EXPECT_NEAR(aside(bent, "_L"), aside(upright, "_L"), 8);
 }

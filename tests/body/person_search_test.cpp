@@ -110,10 +110,10 @@ TEST(PersonSearch, TheNearestIsTheNearest) {
                                        {"weight", 0.5, 0, kHeaviest, 0.5, 2 * share(random)}};
       for (const char* key : {"bust", "underbust", "waist", "hips", "trunk_depth", "hip_depth"})
         unknowns.push_back({key, 0, -1, 1, 0.5, 2 * share(random) - 1});
-      EXPECT_LT(nearest, 1.02 * nearest_person(body_model(), kCoarse, fixed, asked, unknowns,
-                                               nullptr)
-                                    .misfit +
-                             0.5);
+      EXPECT_LT(
+          nearest,
+          1.02 * nearest_person(body_model(), kCoarse, fixed, asked, unknowns, nullptr).misfit +
+              0.5);
     }
   }
 }
@@ -125,8 +125,7 @@ TEST(PersonSearch, AGirthThatIsMissedIsRefusedOnLimbsToo) {
   for (const auto& [name, share] : {std::pair("thigh", 0.55), std::pair("thigh", 1.6),
                                     std::pair("upper_arm", 0.5), std::pair("neck", 1.6)}) {
     SCOPED_TRACE(name);
-    spec.measurements = {{"hip", measured(person, "hip")},
-                         {name, share * measured(person, name)}};
+    spec.measurements = {{"hip", measured(person, "hip")}, {name, share * measured(person, name)}};
     const Refusal told = refusal(spec);
     EXPECT_EQ(told.key, name);
     // The limit that is told is reached, and what is farther is refused.
@@ -144,8 +143,8 @@ TEST(PersonSearch, TheEndOfTheModelIsTold) {
   EXPECT_EQ(told.key, "waist");
   const double end = number_after(told.hint, "the body model ends at about waist");
   EXPECT_GT(end, 1.3) << told.hint;
-  EXPECT_LT(
-      worst_miss({.sex = 1, .age = 45, .height = 1.75, .measurements = {{"waist", end}}}), 0.005);
+  EXPECT_LT(worst_miss({.sex = 1, .age = 45, .height = 1.75, .measurements = {{"waist", end}}}),
+            0.005);
   EXPECT_EQ(
       worst_miss({.sex = 1, .age = 45, .height = 1.75, .measurements = {{"waist", 1.05 * end}}}),
       1);

@@ -16,8 +16,8 @@ namespace loosefit::body {
 namespace {
 
 constexpr double kStrainedDetail = 0.6;
-constexpr double kGrownUp = 18;    // years
-constexpr double kInch = 0.0254;   // [m]
+constexpr double kGrownUp = 18;      // years
+constexpr double kInch = 0.0254;     // [m]
 constexpr double kWholeInch = 0.02;  // how far from a whole number of inches is one [inches]
 constexpr double kNearInches = 0.1;  // share by which a measure in inches may be off what is usual
 
@@ -119,7 +119,8 @@ std::string at_most_or_least(const MeasureRow& row) {
 /// A body that misses a wish by more than kMostMiss is somebody else. Told is which wish, how far a
 /// body goes towards it, whether the model ends there, and who is nearest.
 void refuse_misses(PersonSearch& search, const FoundPerson& found) {
-  if (std::ranges::all_of(found.table, [](const MeasureRow& row) { return miss(row) <= kMostMiss; }))
+  if (std::ranges::all_of(found.table,
+                          [](const MeasureRow& row) { return miss(row) <= kMostMiss; }))
     return;
   const OddWish odd = odd_one_out(search, found.table);
   const std::string& name = odd.row.name;
@@ -131,9 +132,10 @@ void refuse_misses(PersonSearch& search, const FoundPerson& found) {
   std::erase_if(alone, [&](const MeasureRow& r) { return r.name != name && r.name != "height"; });
   const MeasureRow end = row_of(search.farthest(alone, name).table);
   const std::string model_ends =
-      off(end) <= kResidual ? ""
-                            : fmt::format("the body model ends at about {} for this {}", named(end),
-                                          alone.size() > 1 ? "stature, sex and age" : "sex and age");
+      off(end) <= kResidual
+          ? ""
+          : fmt::format("the body model ends at about {} for this {}", named(end),
+                        alone.size() > 1 ? "stature, sex and age" : "sex and age");
   std::string expected, hint = "the nearest body has ";
   if (odd.others_are_met)
     expected = at_most_or_least(row_of(search.farthest(found.table, name).table)) +

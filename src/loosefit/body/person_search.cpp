@@ -47,8 +47,8 @@ std::vector<Unknown> unknowns_of(const std::vector<MeasureRow>& asked, const Rea
       unknowns.push_back(unknown);
   };
   if (asks_for("height")) add({"height", 0.5, 0, 1, 0.3, 0.5});
-  const bool trunk =
-      reach.more_changes || asks_for("chest") || asks_for("underbust") || asks_for("waist") || asks_for("hip");
+  const bool trunk = reach.more_changes || asks_for("chest") || asks_for("underbust") ||
+                     asks_for("waist") || asks_for("hip");
   // Extrapolated muscle is no person's: necks of 0.9 m.
   const double beyond = (reach.heaviest - 1) * std::clamp(2 - 2 * muscle, 0.0, 1.0);
   if (trunk || reach.heaviest > 1) add({"weight", 0.5, 0, 1 + beyond, 0.5, 0.5});
@@ -105,8 +105,7 @@ double PersonSearch::measure(const BodyParameters& parameters, const std::string
 
 FoundPerson PersonSearch::from(BodyDetail detail, const std::vector<MeasureRow>& asked,
                                const std::vector<Unknown>& unknowns, const std::string& yielding) {
-  FoundPerson found =
-      nearest_person(model_, detail, fixed_, asked, unknowns, progress_, yielding);
+  FoundPerson found = nearest_person(model_, detail, fixed_, asked, unknowns, progress_, yielding);
   evaluations_ += found.evaluations;
   return found;
 }
@@ -131,8 +130,7 @@ FoundPerson PersonSearch::nearest(const std::vector<MeasureRow>& asked) {
     if (progress_)
       progress_->update(double(i) / std::size(kReaches),
                         fmt::format("persons up to weight {:g}", kReaches[i].heaviest));
-    FoundPerson found =
-        from_several_starts(asked, unknowns_of(asked, kReaches[i], fixed_.muscle));
+    FoundPerson found = from_several_starts(asked, unknowns_of(asked, kReaches[i], fixed_.muscle));
     if (found.misfit < best.misfit) best = std::move(found);
   }
   return best;
