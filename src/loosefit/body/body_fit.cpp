@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "loosefit/base/error.h"
@@ -15,10 +16,20 @@ namespace loosefit::body {
 namespace {
 
 constexpr double kStrainedDetail = 0.6;
-constexpr double kGrownUp = 18;    // years
-constexpr double kInch = 0.0254;   // [m]
+constexpr double kGrownUp = 18;      // years
+constexpr double kInch = 0.0254;     // [m]
 constexpr double kWholeInch = 0.02;  // how far from a whole number of inches is one [inches]
 constexpr double kNearInches = 0.1;  // share by which a measure in inches may be off what is usual
+
+/// "; inches? 33 in are 0.838 m" for each unit in which the number is plausible.
+std::string other_unit(double value, const PlausibleMeasure& range) {
+  std::string units;
+  for (const auto& [name, symbol, metres] :
+       {std::tuple("centimetres", "cm", 0.01), std::tuple("inches", "in", kInch)})
+    if (value * metres >= range.low && value * metres <= range.high)
+      units += fmt::format("; {}? {:g} {} are {:.3f} m", name, value, symbol, value * metres);
+  return units;
+}
 
 void check_spec(const BodySpec& spec) {
   const auto check = [](const std::string& name, double value) {
@@ -26,7 +37,7 @@ void check_spec(const BodySpec& spec) {
     if (!(value >= range.low && value <= range.high)) {
       throw InvalidInput({"", 0, name}, fmt::format("{:g} m", value),
                          fmt::format("{:g} to {:g} m", range.low, range.high),
-                         "measures are in metres");
+                         "measures are in metres" + other_unit(value, range));
     }
   };
   if (spec.height != 0) check("height", spec.height);
@@ -75,8 +86,8 @@ OddWish odd_one_out(PersonSearch& search, const std::vector<MeasureRow>& table) 
     if (off(row) <= kResidual) continue;
     const FoundPerson others = search.nearest(without(table, row.name));
     const double usual = search.measure(others.parameters, row.name);
-    if (misses(others) || std::abs(usual / row.asked - 1) <= farthest) continue;
-    farthest = std::abs(usual / row.asked - 1);
+    if (misses(others) || std::abs(std::log(usual / row.asked)) <= farthest) continue;
+    farthest = std::abs(std::log(usual / row.asked));
     odd = {row, usual, true};
   }
   return odd;
@@ -90,7 +101,8 @@ std::string at_most_or_least(const MeasureRow& row) {
 /// A body that misses a wish by more than kMostMiss is somebody else. Told is which wish, how far a
 /// body goes towards it, whether the model ends there, and who is nearest.
 void refuse_misses(PersonSearch& search, const FoundPerson& found) {
-  if (std::ranges::all_of(found.table, [](const MeasureRow& row) { return miss(row) <= kMostMiss; }))
+  if (std::ranges::all_of(found.table,
+                          [](const MeasureRow& row) { return miss(row) <= kMostMiss; }))
     return;
   const OddWish odd = odd_one_out(search, found.table);
   const std::string& name = odd.row.name;
@@ -102,9 +114,10 @@ void refuse_misses(PersonSearch& search, const FoundPerson& found) {
   std::erase_if(alone, [&](const MeasureRow& r) { return r.name != name && r.name != "height"; });
   const MeasureRow end = row_of(search.farthest(alone, name).table);
   const std::string model_ends =
-      off(end) <= kResidual ? ""
-                            : fmt::format("the body model ends at about {} for this {}", named(end),
-                                          alone.size() > 1 ? "stature, sex and age" : "sex and age");
+      off(end) <= kResidual
+          ? ""
+          : fmt::format("the body model ends at about {} for this {}", named(end),
+                        alone.size() > 1 ? "stature, sex and age" : "sex and age");
   std::string expected, hint = "the nearest body has ";
   if (odd.others_are_met)
     expected = at_most_or_least(row_of(search.farthest(found.table, name).table)) +

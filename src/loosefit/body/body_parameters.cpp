@@ -27,7 +27,8 @@ void add_age_factors(double years, std::map<std::string, double>& factor) {
   factor["baby"] = baby, factor["child"] = child, factor["young"] = young, factor["old"] = old;
 }
 
-// Not clamped at 1: weights up to kHeaviest give convincing heavy bodies, and the three still sum to 1.
+// Not clamped at 1: weights up to kHeaviest give convincing heavy bodies, and the three still sum
+// to 1.
 void add_level(double x, const char* low, const char* middle, const char* high,
                std::map<std::string, double>& factor) {
   const double most = std::max(0., 2 * x - 1), least = std::max(0., 1 - 2 * x);

@@ -123,7 +123,8 @@ BoundedSolution bounded_gauss_newton(const BoundedProblem& problem) {
       jacobian.col(i) = (evaluate(x) - residual) / h;
     }
     // Line search: halve the step until the cost falls.
-    VectorXd step = BoxedStep(jacobian, residual, problem.lower - found.x, problem.upper - found.x).solve();
+    VectorXd step =
+        BoxedStep(jacobian, residual, problem.lower - found.x, problem.upper - found.x).solve();
     bool better = false;
     double decrease = 0;
     for (int halving = 0; halving <= kMaxHalvings && !better; ++halving, step *= 0.5) {

@@ -23,7 +23,7 @@ double smooth_step(double t) {
 class Trunk {
  public:
   explicit Trunk(const Body& body) {
-    for (const char* joint : {"pelvis", "neck", "shoulder_L"})
+    for (const char* joint : {"pelvis", "neck", "shoulder_L", "shoulder_R"})
       if (body.joints.count(joint) == 0)
         throw InvalidInput(std::string("a body without the joint ") + joint + " cannot breathe");
     pelvis_ = body.joints.at("pelvis");
@@ -31,7 +31,9 @@ class Trunk {
     length_ = spine.norm();
     up_ = spine / length_;
     forward_ = Vec3::UnitX().cross(up_).normalized();  // x to the left: −y of an upright wearer
-    half_breadth_ = std::abs(body.joints.at("shoulder_L").x() - pelvis_.x());
+    // Both shoulders: of a trunk that turns or bends aside one is nearer to the middle.
+    half_breadth_ =
+        0.5 * std::abs(body.joints.at("shoulder_L").x() - body.joints.at("shoulder_R").x());
   }
 
   /// How much of the whole deepening a place takes part in.

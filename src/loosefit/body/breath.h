@@ -8,7 +8,7 @@ namespace loosefit::body {
 /// smoothly to both ends and to the arms; ribs that rise like a pump handle do that, while the
 /// sideways part (bucket handle) is left out, so that hanging arms need not move. Maps, normals and
 /// landmarks go along; joints and measures stay. \throws InvalidInput for a body without the joints
-/// "pelvis", "neck" and "shoulder_L", or whose chest cannot be found.
+/// "pelvis", "neck", "shoulder_L" and "shoulder_R", or whose chest cannot be found.
 Body inhaled(Body body, double growth);
 
 /// Girth of the trunk by tape at the level where `inhaled` moves it most, square to the line from

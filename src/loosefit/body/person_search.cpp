@@ -47,8 +47,8 @@ std::vector<Unknown> unknowns_of(const std::vector<MeasureRow>& asked, const Rea
       unknowns.push_back(unknown);
   };
   if (asks_for("height")) add({"height", 0.5, 0, 1, 0.3, 0.5});
-  const bool trunk =
-      asks_for("chest") || asks_for("underbust") || asks_for("waist") || asks_for("hip");
+  const bool trunk = reach.more_changes || asks_for("chest") || asks_for("underbust") ||
+                     asks_for("waist") || asks_for("hip");
   // Extrapolated muscle is no person's: necks of 0.9 m.
   const double beyond = (reach.heaviest - 1) * std::clamp(2 - 2 * muscle, 0.0, 1.0);
   if (trunk || reach.heaviest > 1) add({"weight", 0.5, 0, 1 + beyond, 0.5, 0.5});
@@ -71,10 +71,12 @@ std::vector<Unknown> unknowns_of(const std::vector<MeasureRow>& asked, const Rea
   return unknowns;
 }
 
-/// The same unknowns; the search begins at that weight, and otherwise where it did.
-std::vector<Unknown> from_weight(std::vector<Unknown> unknowns, double weight) {
+/// The same unknowns; the search begins at that weight and at that local change.
+std::vector<Unknown> starting_at(std::vector<Unknown> unknowns, double weight, double change) {
   for (Unknown& unknown : unknowns)
-    if (unknown.key == "weight") unknown.start = std::min(weight, unknown.high);
+    if (unknown.key != "height")
+      unknown.start =
+          std::clamp(unknown.key == "weight" ? weight : change, unknown.low, unknown.high);
   return unknowns;
 }
 
@@ -103,8 +105,7 @@ double PersonSearch::measure(const BodyParameters& parameters, const std::string
 
 FoundPerson PersonSearch::from(BodyDetail detail, const std::vector<MeasureRow>& asked,
                                const std::vector<Unknown>& unknowns, const std::string& yielding) {
-  FoundPerson found =
-      nearest_person(model_, detail, fixed_, asked, unknowns, progress_, yielding);
+  FoundPerson found = nearest_person(model_, detail, fixed_, asked, unknowns, progress_, yielding);
   evaluations_ += found.evaluations;
   return found;
 }
@@ -114,10 +115,12 @@ FoundPerson PersonSearch::from_several_starts(const std::vector<MeasureRow>& ask
                                               const std::vector<Unknown>& unknowns,
                                               const std::string& yielding) {
   FoundPerson best;
-  for (const double weight : {0.5, 1.0, kHeaviest}) {
-    FoundPerson found = from(BodyDetail::coarse, asked, from_weight(unknowns, weight), yielding);
-    if (best.table.empty() || found.misfit < best.misfit) best = std::move(found);
-  }
+  for (const double weight : {0.5, kHeaviest})
+    for (const double change : {0.0, -0.5, 0.5}) {
+      FoundPerson found =
+          from(BodyDetail::coarse, asked, starting_at(unknowns, weight, change), yielding);
+      if (best.table.empty() || found.misfit < best.misfit) best = std::move(found);
+    }
   return from(detail_, asked, from_person(unknowns, best.parameters), yielding);
 }
 
@@ -127,8 +130,7 @@ FoundPerson PersonSearch::nearest(const std::vector<MeasureRow>& asked) {
     if (progress_)
       progress_->update(double(i) / std::size(kReaches),
                         fmt::format("persons up to weight {:g}", kReaches[i].heaviest));
-    FoundPerson found =
-        from_several_starts(asked, unknowns_of(asked, kReaches[i], fixed_.muscle));
+    FoundPerson found = from_several_starts(asked, unknowns_of(asked, kReaches[i], fixed_.muscle));
     if (found.misfit < best.misfit) best = std::move(found);
   }
   return best;
