@@ -10,6 +10,8 @@
 
 namespace loosefit::body {
 
+class Stumps;
+
 /// Beyond 1 the model extrapolates; up to here bodies look like people.
 inline constexpr double kHeaviest = 2.0;
 
@@ -30,6 +32,8 @@ struct BodyParameters {
   /// What a scan has beyond the model: added to the body vertices of the data in the rest posture
   /// [m]. Null: nothing.
   std::shared_ptr<const std::vector<Vec3>> shift;
+  /// What a scan lacks: the model makes the person without it. Null: nothing.
+  std::shared_ptr<const Stumps> stumps;
 };
 
 /// Factor of every word that macro target names are made of: "female", "child", "maxweight", …

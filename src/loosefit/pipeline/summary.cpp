@@ -7,6 +7,7 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/version.h"
 #include "loosefit/body/floor_under.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
@@ -115,6 +116,8 @@ Json body_json(const CaseBody& body) {
   for (const body::MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
   const std::optional<double> floor = body::floor_under(body.body.body());
   json["floor_m"] = floor ? Json(*floor) : Json(nullptr);
+  json["missing"] =
+      body.parameters.stumps ? body.parameters.stumps->names() : std::vector<std::string>{};
   return json;
 }
 
