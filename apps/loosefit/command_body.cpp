@@ -115,8 +115,12 @@ scenario::ScenarioBody read(const Wish& wish) {
 
 /// A value that nobody gave is that of the model: of a scenario it is somebody's.
 body::BodySpec spec_of(const Wish& wish, const scenario::ScenarioBody& read) {
-  body::BodySpec spec{.sex = read.sex, .measurements = read.measurements, .muscle = read.muscle,
-                      .proportions = read.proportions, .cup = read.cup, .firmness = read.firmness};
+  body::BodySpec spec{.sex = read.sex,
+                      .measurements = read.measurements,
+                      .muscle = read.muscle,
+                      .proportions = read.proportions,
+                      .cup = read.cup,
+                      .firmness = read.firmness};
   if (wish.shape.at("age")) spec.age = read.age;
   if (wish.shape.at("height")) spec.height = read.height;
   return spec;

@@ -12,10 +12,10 @@ namespace loosefit {
 namespace {
 
 /// UTF-8 of what moves a cursor, turns text or hides it (Unicode 15, categories Cc and Cf).
-const std::vector<std::string> kControls = {
-    "\x01",   "\x1b",   "\x7f",   "\u0085", "\u061c", "\u180e", "\u200b", "\u200e", "\u200f",
-    "\u2028", "\u202a", "\u202e", "\u2060", "\u2066", "\u2069", "\u206f", "\ufeff", "\ufff9",
-    "\U000e0041"};
+const std::vector<std::string> kControls = {"\x01",   "\x1b",   "\x7f",   "\u0085",    "\u061c",
+                                            "\u180e", "\u200b", "\u200e", "\u200f",    "\u2028",
+                                            "\u202a", "\u202e", "\u2060", "\u2066",    "\u2069",
+                                            "\u206f", "\ufeff", "\ufff9", "\U000e0041"};
 
 std::string drawn_name(std::mt19937& random) {
   static const std::vector<std::string> kPlain = {"a", "ü", "中", "\"", "\\", "'", " ", "="};

@@ -28,12 +28,12 @@ struct BlankValues : ::testing::Test {
 };
 
 TEST_F(BlankValues, OfAnOutputAreRefusedByEveryCommand) {
-  const char* const commands[] = {"run case.toml",      "drape case.toml",
-                                  "body --height 1.7",  "pattern --pattern t-shirt",
+  const char* const commands[] = {"run case.toml",         "drape case.toml",
+                                  "body --height 1.7",     "pattern --pattern t-shirt",
                                   "rank case.toml -m ecg", "render .",
                                   "study plan study.toml", "study run study.toml",
-                                  "study report .",     "study export .",
-                                  "study compare . .",  "validate --list"};
+                                  "study report .",        "study export .",
+                                  "study compare . .",     "validate --list"};
   const char* const forms[] = {"-o \"\"", "-o \"  \"", "--output \"\"", "--output \"\t\"",
                                "--output="};
   for (const std::string command : commands)

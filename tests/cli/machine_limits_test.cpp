@@ -31,9 +31,8 @@ struct MachineLimits : ::testing::Test {
 
   /// With so many KiB of address space, and at most a minute.
   ProgramRun within(int kilobytes, const std::string& arguments) const {
-    return run_program("bash -c 'cd " + base.string() + "; ulimit -v " +
-                       std::to_string(kilobytes) + "; exec timeout -k 1 60 " + LOOSEFIT_BINARY +
-                       " " + arguments + "'");
+    return run_program("bash -c 'cd " + base.string() + "; ulimit -v " + std::to_string(kilobytes) +
+                       "; exec timeout -k 1 60 " + LOOSEFIT_BINARY + " " + arguments + "'");
   }
 };
 
@@ -49,10 +48,11 @@ TEST_F(MachineLimits, WantOfMemoryEndsInWords) {
       const ProgramRun run = within(kilobytes, arguments);
       if (run.exit_code == kLoaderGaveUp) continue;
       EXPECT_TRUE(run.exit_code >= 0 && run.exit_code <= 2)
-          << arguments << " in " << kilobytes << " KiB: " << run.exit_code << "\n" << run.output;
+          << arguments << " in " << kilobytes << " KiB: " << run.exit_code << "\n"
+          << run.output;
       const bool told = run.output.find("not enough memory") != std::string::npos;
-      EXPECT_TRUE(run.exit_code != 2 || told)
-          << arguments << " in " << kilobytes << " KiB\n" << run.output;
+      EXPECT_TRUE(run.exit_code != 2 || told) << arguments << " in " << kilobytes << " KiB\n"
+                                              << run.output;
       EXPECT_FALSE(run.exit_code == 2 && fs::exists(base / "run")) << kilobytes;
     }
   }

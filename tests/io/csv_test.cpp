@@ -30,7 +30,7 @@ std::string plain(const std::string& field) {
 
 std::string drawn(std::mt19937& random) {
   static const std::vector<std::string> kParts = {"=", "+", "-", "@", "＝", "＠", "'", "\"", ",",
-                                                  ";", " ", "1", "e", "A", "(", ")", "ü", "|"};
+                                                  ";", " ", "1", "e", "A",  "(",  ")", "ü",  "|"};
   std::string text;
   for (std::size_t n = random() % 7; n > 0; --n) text += kParts[random() % kParts.size()];
   return text;

@@ -74,12 +74,13 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 std::string shortest(double value) { return fmt::format("{}", value); }
 
 std::string terminal_line(const std::string& text) {
-  return replace_controls(text,
-                       [](const std::string& s) { return s == "\n" ? "\\n" : escaped_bytes(s); });
+  return replace_controls(
+      text, [](const std::string& s) { return s == "\n" ? "\\n" : escaped_bytes(s); });
 }
 
 std::string terminal_text(const std::string& text) {
-  return replace_controls(text, [](const std::string& s) { return s == "\n" ? s : escaped_bytes(s); });
+  return replace_controls(text,
+                          [](const std::string& s) { return s == "\n" ? s : escaped_bytes(s); });
 }
 
 std::string without_controls(const std::string& text) {

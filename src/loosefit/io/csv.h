@@ -15,8 +15,8 @@ std::string csv_field(double value);
 std::string csv_line(const std::vector<std::string>& fields);
 
 /// Fields of one line (RFC 4180): one in quotes may hold commas and doubled quotes; the apostrophe
-/// before what looks like a formula is taken off. Of a line with a quote that is not closed `closed`
-/// is false, and the last field is the one it stands in.
+/// before what looks like a formula is taken off. Of a line with a quote that is not closed
+/// `closed` is false, and the last field is the one it stands in.
 struct CsvFields {
   std::vector<std::string> fields;
   bool closed = true;

@@ -39,10 +39,8 @@ struct File {
           bool normalized = false) {
     binary.resize((binary.size() + 3) / 4 * 4);
     const std::size_t bytes = numbers.size() * sizeof(Number);
-    json["bufferViews"].push_back({{"buffer", 0},
-                                   {"byteOffset", binary.size()},
-                                   {"byteLength", bytes},
-                                   {"target", target}});
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes}, {"target", target}});
     binary.append(reinterpret_cast<const char*>(numbers.data()), bytes);
     Json accessor = {{"bufferView", json["bufferViews"].size() - 1},
                      {"componentType", component},
@@ -165,10 +163,9 @@ void write_glb(const std::filesystem::path& path, const std::vector<GlbSurface>&
   file.json["buffers"] = Json::array({{{"byteLength", (file.binary.size() + 3) / 4 * 4}}});
 
   std::string chunks;
-  append_chunk(chunks, kJsonChunk,
-               json_without_controls(
-                   file.json.dump(-1, ' ', false, Json::error_handler_t::replace)),
-               ' ');
+  append_chunk(
+      chunks, kJsonChunk,
+      json_without_controls(file.json.dump(-1, ' ', false, Json::error_handler_t::replace)), ' ');
   append_chunk(chunks, kBinaryChunk, file.binary, '\0');
   std::string bytes;
   append(bytes, kMagic);

@@ -90,7 +90,8 @@ NumberRange in_kes(const Constant& c) {
     const double unit = in_si(quantity, 1, kOuterWearLoad);
     low = c.range.low / unit, high = c.range.high / unit;
   }
-  return {rounded_inwards(low, true), rounded_inwards(high, false), fabric::kes_unit(quantity).unit};
+  return {rounded_inwards(low, true), rounded_inwards(high, false),
+          fabric::kes_unit(quantity).unit};
 }
 
 /// What a figure may be. One that the model does not use is only a number.
@@ -165,9 +166,9 @@ std::map<std::string, std::string> read_material_kes(ConfigReader& table,
   if (!given) return set;
   ConfigReader kes = *given;
   check_shapes(kes, *table.node("kes"));
-  const double load = kes.number("EMT_load", kOuterWearLoad,
-                                 {kLeastLoad, kLargestLoad, fabric::kes_unit("F").unit},
-                                 "load of EMT");
+  const double load =
+      kes.number("EMT_load", kOuterWearLoad, {kLeastLoad, kLargestLoad, fabric::kes_unit("F").unit},
+                 "load of EMT");
   // Records a figure for the card; a key that the card had already is replaced.
   const auto put = [&](const std::string& key, const std::string& quantity, double figure) {
     const auto same = std::find_if(figures.begin(), figures.end(),

@@ -42,7 +42,8 @@ void RunLog::write(const std::string& event, const std::string& text) {
   line["event"] = event;
   line["text"] = text;
   const std::string dumped =
-      json_without_controls(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) + "\n";
+      json_without_controls(line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) +
+      "\n";
   std::fwrite(dumped.data(), 1, dumped.size(), stream_.get());
 }
 

@@ -82,9 +82,8 @@ scenario::ScenarioRanking read_ranking_section(ConfigReader table) {
   scenario::ScenarioRanking r;
   const std::string about = "scorecard by which sites are ranked, or the path of a .toml file";
   r.modality = scorecard_of(table, "modality", about, false);
-  r.best =
-      static_cast<int>(table.integer("best", r.best, 0, placement::kMostPlaces,
-                                     "places to search beside the sites"));
+  r.best = static_cast<int>(table.integer("best", r.best, 0, placement::kMostPlaces,
+                                          "places to search beside the sites"));
   r.partial = table.boolean("partial", r.partial, "judge by the criteria that the drapes can tell");
   for (const char* key : {"best", "partial"})
     if (table.lacks(key, "modality"))

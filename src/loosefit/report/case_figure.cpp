@@ -280,7 +280,9 @@ std::string figure_document(const std::filesystem::path& file, render::FigureSiz
                                        {"width_px", size.width},
                                        {"height_px", size.height},
                                        {"frames", frames}};
-  return json_without_controls(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
+  return json_without_controls(
+             json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) +
+         "\n";
 }
 
 }  // namespace loosefit::report

@@ -188,8 +188,8 @@ bool of_another_build(const CaseRecord& record) {
 
 std::string record_json(const CaseRecord& record) {
   // What is dumped is digested; bytes that are not UTF-8 (of a path in a message) are replaced.
-  const std::string result =
-      json_without_controls(result_json(record).dump(1, ' ', false, Json::error_handler_t::replace));
+  const std::string result = json_without_controls(
+      result_json(record).dump(1, ' ', false, Json::error_handler_t::replace));
   return "{\"sha256\": \"" + sha256_hex(result) + "\",\n\"result\": " + result + "}\n";
 }
 

@@ -9,8 +9,8 @@ void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 }
 
 /// The BLAS and LAPACK calls of a multifrontal Cholesky factor, for both precisions. All matrices
-/// are column major; `ld` is the distance of their columns. \throws std::bad_alloc where there is no
-/// memory for the work of a call.
+/// are column major; `ld` is the distance of their columns. \throws std::bad_alloc where there is
+/// no memory for the work of a call.
 namespace loosefit::solver::dense {
 
 /// Cholesky factor in place of the lower triangle of a, n × n. False: not positive definite.
