@@ -19,18 +19,18 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kSlip = 0.5;         ///< of waist to crotch, that a waist may slide
-constexpr double kLowest = 0.75;      ///< of waist to crotch, below which no waist is worn
-constexpr double kRise = 1.0;         ///< of waist to crotch, that it may lie too high
-constexpr double kHighest = 0.75;     ///< of waist to crotch, above the waist: below the bust
-constexpr double kGone = 1.0;         ///< of waist to crotch, that an unknown opening may sink
-constexpr double kTouch = 0.010;      ///< [m]
-constexpr double kShoulder = 0.12;    ///< of stature, armhole to shoulder joint
-constexpr double kNeck = 0.88;        ///< of stature, above which no garment of a wearer begins
-constexpr double kHangs = 0.7;   ///< of the cloth from neck to hem, that at least hangs straight
-constexpr double kLimb = 0.05;   ///< of stature, from shoulder or hip joint to armpit or crotch
-constexpr double kFolded = 0.5;  ///< of a tube's length, a fold that turns no tube over
-constexpr double kSleeve = 0.6;  ///< of the chest's girth, the widest tube for a limb
+constexpr double kSlip = 0.5;       ///< of waist to crotch, that a waist may slide
+constexpr double kLowest = 0.75;    ///< of waist to crotch, below which no waist is worn
+constexpr double kRise = 1.0;       ///< of waist to crotch, that it may lie too high
+constexpr double kHighest = 0.75;   ///< of waist to crotch, above the waist: below the bust
+constexpr double kGone = 1.0;       ///< of waist to crotch, that an unknown opening may sink
+constexpr double kTouch = 0.010;    ///< [m]
+constexpr double kShoulder = 0.12;  ///< of stature, armhole to shoulder joint
+constexpr double kNeck = 0.88;      ///< of stature, above which no garment of a wearer begins
+constexpr double kHangs = 0.7;      ///< of the cloth from neck to hem, that at least hangs straight
+constexpr double kLimb = 0.05;      ///< of stature, from shoulder or hip joint to armpit or crotch
+constexpr double kFolded = 0.5;     ///< of a tube's length, a fold that turns no tube over
+constexpr double kSleeve = 0.6;     ///< of the chest's girth, the widest tube for a limb
 
 class Verdict {
  public:
