@@ -114,6 +114,18 @@ TEST(SvgStyle, TheCascadeDecides) {
             (std::set<std::string>{"b"}));
 }
 
+TEST(SvgStyle, ADrawingInUtf16IsTheSameWhateverItsHeadSays) {
+  for (const char* encoding : {"UTF-8", "UTF-16", "ISO-8859-1"}) {
+    const std::string text =
+        "<?xml version=\"1.0\" encoding=\"" + std::string(encoding) + "\"?>\n" +
+        drawing("<style>.x{display:none}</style>" + path("a") + path("b", "class=\"x\""));
+    std::string little = "\xff\xfe", big = "\xfe\xff";
+    for (const char c : text) little += {c, '\0'}, big += {'\0', c};
+    for (const std::string& bytes : {little, big, little.substr(2)})
+      EXPECT_EQ(drawn(parse_svg(bytes, "d.svg")), (std::set<std::string>{"a"})) << encoding;
+  }
+}
+
 TEST(SvgStyle, TheDrawingItselfMayBeInvisible) {
   EXPECT_TRUE(document("<style>svg{visibility:hidden}</style>" + path("a")).shapes.empty());
   EXPECT_EQ(drawn(document("<style>svg{visibility:hidden} #b{visibility:visible}</style>" +

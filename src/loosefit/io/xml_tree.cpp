@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string_view>
 #include <type_traits>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
 namespace {
@@ -60,9 +62,13 @@ const std::string& XmlElement::attribute(const std::string& key) const {
   return found == attributes.end() ? none : found->second;
 }
 
-XmlElement parse_xml(const std::string& text, const std::string& file) {
+XmlElement parse_xml(const std::string& written, const std::string& file) {
+  // An editor that saves UTF-16 leaves the encoding that the head names: the bytes are believed.
+  const bool wide = std::string_view(written).substr(0, 4).find('\0') != std::string_view::npos;
+  const std::string converted = wide ? plain_text(written) : std::string();
+  const std::string& text = wide ? converted : written;
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(
-      XML_ParserCreate(nullptr), &XML_ParserFree);
+      XML_ParserCreate(wide ? "UTF-8" : nullptr), &XML_ParserFree);
   if (!parser) throw InvalidInput({file, 0, {}}, "no memory for the XML reader", "some");
   Builder builder;
   builder.parser = parser.get();

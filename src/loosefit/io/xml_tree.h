@@ -17,9 +17,10 @@ struct XmlElement {
   const std::string& attribute(const std::string& key) const;
 };
 
-/// The root of an XML document (expat). Nothing is fetched: external entities stay empty. `file`
-/// only appears in messages. \throws InvalidInput with the line: text that is no XML, more than 200
-/// elements within each other, more than 500 000 elements.
+/// The root of an XML document (expat). Nothing is fetched: external entities stay empty. Text in
+/// UTF-16 is read whatever encoding its head names. `file` only appears in messages. \throws
+/// InvalidInput with the line: text that is no XML, more than 200 elements within each other, more
+/// than 500 000 elements.
 XmlElement parse_xml(const std::string& text, const std::string& file);
 
 }  // namespace loosefit::io
