@@ -14,10 +14,8 @@
 namespace loosefit::io {
 namespace {
 
-constexpr std::size_t kMostLines = 2000;  // of one outline
-constexpr double kSameCurve = 0.001;      // between two samplings of one curve [m]
-constexpr double kShareOfPiece = 0.5;     // a sew line encloses at least so much of the piece
-constexpr double kSmallestPiece = 4e-4;   // [m²]
+constexpr std::size_t kMostLines = 2000;              // of one outline
+constexpr double kSameCurve = 0.001;                  // between two samplings of one curve [m]
 constexpr double kNarrowest = 0.002, kWidest = 0.06;  // seam allowance [m]
 constexpr double kMm = 1000;
 

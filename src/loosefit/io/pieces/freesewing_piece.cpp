@@ -14,8 +14,7 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kShareOfFold = 0.25;    // of a half piece's length that lies on its fold
-constexpr double kSmallestPiece = 4e-4;  // [m²]
+constexpr double kShareOfFold = 0.25;  // of a half piece's length that lies on its fold
 
 double distance(const std::vector<Vec2>& outline, const Vec2& p) {
   return (pattern::closest_on_polygon(outline, p) - p).norm();

@@ -24,6 +24,11 @@ using Outline = std::vector<OutlinePoint>;
 /// Lengths below which things are the same [m]. DXF pattern files round to 0.01 mm or 0.0001 in.
 inline constexpr double kSamePoint = 1e-5, kChainGap = 1e-4, kOnAxis = 5e-4;
 
+/// Closed lines that enclose less are letters and marks, not cloth [m²].
+inline constexpr double kSmallestPiece = 4e-4;
+/// Of a cut line, what its sew line and the lines of its next sizes enclose at least.
+inline constexpr double kShareOfPiece = 0.5;
+
 /// Points of one outline; more make checks of it slow.
 inline constexpr std::size_t kMostOutlinePoints = 5000;
 

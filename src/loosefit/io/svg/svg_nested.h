@@ -7,10 +7,6 @@
 
 namespace loosefit::io {
 
-inline constexpr double kSmallestPiece = 4e-4;  // [m²]
-inline constexpr double kShareOfPiece =
-    0.5;  // of a piece, what its sew line and its next sizes enclose
-
 /// Without rectangles that cover the page or several other closed lines, which are frames. One that
 /// is called after a piece is none, and holes are no other lines. \param unit of the drawing [m]
 std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<SvgLine> closed,
