@@ -32,6 +32,10 @@ Drape draped(const pattern::Pattern& pattern, const body::Body& body,
       garment, material, [&](double) { return body; }, options, silent);
 }
 
+double garment_weight(const pattern::Pattern& pattern) {
+  return kGravity * garment::build_hierarchy(pattern, 0.04, fabric::Material{}).finest().mass;
+}
+
 double lowest(const Drape& drape) {
   double low = 10;
   for (const Vec3& p : drape.positions) low = std::min(low, p.z());
@@ -40,7 +44,7 @@ double lowest(const Drape& drape) {
 
 TEST(FloorUnderCloth, ASkirtThatIsTooLongLiesOnIt) {
   const testing_support::Levels levels = testing_support::levels_of(woman());
-  const double length = levels.waist_height + 0.11;
+  const double length = levels.waist_height + 0.2;
   const pattern::Pattern pattern = testing_support::skirt(levels, 0.98, 1.3, length, 2);
   const Drape on_floor = draped(pattern, woman());
   EXPECT_TRUE(on_floor.certificate.settled())
@@ -54,9 +58,7 @@ TEST(FloorUnderCloth, ASkirtThatIsTooLongLiesOnIt) {
       EXPECT_EQ(on_floor.body_normal_force[i], 0);
     }
   }
-  const Drape hangs = draped(pattern, without_floor());
-  EXPECT_LT(lowest(hangs), -0.02);
-  EXPECT_EQ(hangs.report.floor_force, 0);
+  EXPECT_LT(on_floor.report.floor_force, garment_weight(pattern));
 }
 
 TEST(FloorUnderCloth, WhatNeverReachesItHasTheSameBitsAsWithoutIt) {

@@ -10,9 +10,10 @@
 
 namespace loosefit::drape {
 
-/// Sees cloth that nothing can hold any more: there is no floor, so what has left the body falls
-/// for ever and never comes to rest. Pieces that are not sewn to each other are looked at one by
-/// one, but together where their boxes come near each other, for one may hang on the other.
+/// Sees cloth that nothing can hold any more: without a floor what has left the body falls for ever
+/// and never comes to rest, and on a floor it is worn by nobody. Pieces that are not sewn to each
+/// other are looked at one by one, but together where their boxes come near each other, for one may
+/// hang on the other.
 class FreeFall {
  public:
   /// Keeps references to the garments, the innermost first, whose vertices are numbered through.

@@ -23,6 +23,7 @@ namespace loosefit::drape {
 namespace {
 
 constexpr double kNeck = 0.88;   ///< of stature, above which nothing of a wearer begins
+constexpr double kNear = 0.5;    ///< to a limb beside which a piece lies, arms raised or not [m]
 constexpr double kAside = 0.04;  ///< from the middle of the body, beside it [m]
 constexpr double kFoot = 0.12;   ///< height of a foot [m]
 constexpr double kFace = 0.04;   ///< of stature, from the neck's joint up to the chin
@@ -354,8 +355,9 @@ class ByWearer {
       const Polyline line({lines_[limb].begin() + 1, lines_[limb].end()});
       return (line.at(std::max(0.0, line.project(centre))).point - centre).norm();
     };
-    if (arm != leg) return arm > leg ? of_arm : of_leg;
-    return away(of_arm) < away(of_leg) ? of_arm : of_leg;
+    const Limb limb = arm != leg ? (arm > leg ? of_arm : of_leg)
+                                 : (away(of_arm) < away(of_leg) ? of_arm : of_leg);
+    return away(limb) < kNear ? limb : kLimbs;
   }
 
   const garment::Garment& garment_;

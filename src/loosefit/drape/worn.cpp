@@ -264,7 +264,10 @@ class Verdict {
       const Polyline rest(at_rest_[limb]);
       double made = HUGE_VAL, worn = HUGE_VAL;  // ways along the limb [m]
       for (const Opening* o : of) {
-        if (o->use != kinds::OpeningUse::limb || o->round != round_limb(Limb(limb))) continue;
+        // Where one that lies beside its limb in the file belongs on it, nothing tells.
+        if (o->use != kinds::OpeningUse::limb || !o->placed_round ||
+            o->round != round_limb(Limb(limb)))
+          continue;
         made = std::min(made, rest.project(o->placed));
         worn = std::min(worn, Polyline(lines_[limb]).project(middle_of(o->loop)));
       }
