@@ -117,6 +117,34 @@ TEST(LimbLines, AnArmReachesToTheFingertips) {
   EXPECT_NEAR((tip() - Vec3(0.6, 0, 1.15)).norm(), 0, 1e-9) << "as long as it is";
 }
 
+/// What a ring of 10 cm round the left arm goes round, at x, of somebody whose arm ends at `end`.
+LimbNumbers round_stump(double x, double end) {
+  body::Body body = stick_figure();
+  body.joints["arm_end_L"] = Vec3(end, 0, 1.35);
+  std::vector<Vec3> at;
+  std::vector<int> loop;
+  for (int i = 0; i < 12; ++i) {
+    loop.push_back(i);
+    at.emplace_back(x, 0.05 * std::cos(kPi * i / 6), 1.35 + 0.05 * std::sin(kPi * i / 6));
+  }
+  return limbs_through_openings(loop, at, limb_lines(body));
+}
+
+TEST(LimbLines, EndWhereALimbDoes) {
+  for (const double end : {0.24, 0.31, 0.39, 0.41, 0.52, 0.59, 0.61}) {
+    for (double x = 0.21; x < end; x += 0.007)
+      EXPECT_EQ(round_stump(x, end), round_limb(kLeftArm)) << x << " of " << end;
+    for (double x = end + 0.03; x < 0.8; x += 0.03)
+      EXPECT_EQ(round_stump(x, end), kRoundNothing) << x << " of " << end;
+  }
+  body::Body body = stick_figure();
+  EXPECT_FALSE(lacks_end(kLeftArm, body));
+  body.joints["leg_end_R"] = Vec3(-0.1, 0, 0.4);
+  EXPECT_TRUE(lacks_end(kRightLeg, body));
+  EXPECT_FALSE(lacks_end(kLeftLeg, body));
+  EXPECT_EQ(limb_lines(body)[kRightLeg].size(), 5u) << "chest, hips, hip, knee, end";
+}
+
 TEST(LimbLines, AreNotKnownWithoutJoints) {
   for (const std::vector<Vec3>& line : limb_lines(body::Body{})) EXPECT_TRUE(line.empty());
 }

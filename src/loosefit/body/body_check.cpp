@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/mesh_repair.h"
+#include "loosefit/body/scan_parts.h"
 #include "loosefit/body/surface_topology.h"
 #include "loosefit/geometry/exact_intersection.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kWeldDistance = 1e-6;  // share of the longest extent
 constexpr double kSmallPiece = 0.05;    // share of the area that may be dropped
+constexpr double kSpeck = 0.003;        // share of the area below which a piece is no part
 constexpr std::size_t kMostHoles = 20;
 
 double longest_extent(const geometry::TriangleMesh& mesh) {
@@ -51,6 +53,22 @@ std::string in_file(const Vec3& p) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z());
 }
 
+/// Whether two surfaces have their vertices in the same places.
+bool are_alike(const geometry::TriangleMesh& a, const geometry::TriangleMesh& b, double near) {
+  if (a.vertices.size() != b.vertices.size() || a.triangles.size() != b.triangles.size())
+    return false;
+  const auto sorted = [](std::vector<Vec3> points) {
+    std::ranges::sort(points, [](const Vec3& p, const Vec3& q) {
+      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+    });
+    return points;
+  };
+  const std::vector<Vec3> p = sorted(a.vertices), q = sorted(b.vertices);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if ((p[i] - q[i]).norm() > near) return false;
+  return true;
+}
+
 void keep_largest_piece(geometry::TriangleMesh& mesh, const ScanOptions& options,
                         std::vector<std::string>& warnings) {
   const auto pieces = connected_pieces(mesh);
@@ -72,6 +90,46 @@ void keep_largest_piece(geometry::TriangleMesh& mesh, const ScanOptions& options
   keep_piece(mesh, pieces[0]);
   warnings.push_back(counted(pieces.size() - 1, "small separate piece", "small separate pieces") +
                      " dropped");
+}
+
+/// Drops what is too small for a part of a person, and parts that are there already. Returns
+/// whether several are left.
+bool keep_parts(geometry::TriangleMesh& mesh, double near, std::vector<std::string>& warnings) {
+  const auto pieces = connected_pieces(mesh);
+  double total = 0;
+  for (const auto& piece : pieces) total += piece.area;
+  std::vector<geometry::TriangleMesh> parts;
+  std::size_t specks = 0, repeated = 0;
+  for (const auto& piece : pieces) {
+    if (piece.area < kSpeck * total) {
+      ++specks;
+      continue;
+    }
+    geometry::TriangleMesh part = mesh;
+    keep_piece(part, piece);
+    const bool again = std::ranges::any_of(
+        parts, [&](const geometry::TriangleMesh& other) { return are_alike(part, other, near); });
+    if (again)
+      ++repeated;
+    else
+      parts.push_back(std::move(part));
+  }
+  if (specks > 0)
+    warnings.push_back(counted(specks, "small separate piece", "small separate pieces") +
+                       " dropped");
+  if (repeated > 0)
+    warnings.push_back(counted(repeated, "surface", "surfaces") +
+                       " dropped that the file has twice");
+  if (specks + repeated > 0) {
+    mesh = {};
+    for (const geometry::TriangleMesh& part : parts) {
+      const int base = int(mesh.vertices.size());
+      mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
+      for (const Triangle& t : part.triangles)
+        mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    }
+  }
+  return parts.size() > 1;
 }
 
 void require_two_faces_at_edges(const geometry::TriangleMesh& mesh, const ScanOptions& options) {
@@ -171,15 +229,15 @@ CheckedSurface check_surface(geometry::TriangleMesh mesh, const ScanOptions& opt
   if (repeated > 0)
     warnings.push_back(counted(std::size_t(repeated), "repeated face", "repeated faces") +
                        " dropped");
-  keep_largest_piece(mesh, options, warnings);
+  const bool in_parts =
+      options.take_parts && keep_parts(mesh, kWeldDistance * longest_extent(mesh), warnings);
+  if (!in_parts) keep_largest_piece(mesh, options, warnings);
   require_two_faces_at_edges(mesh, options);
   orient(mesh, options, warnings);
-  fill_small_holes(mesh, options, warnings);
+  if (!in_parts) fill_small_holes(mesh, options, warnings);
   require_two_faces_at_edges(mesh, options);
-  if (geometry::enclosed_volume(mesh) < 0) {
-    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  if (turn_parts_outwards(mesh) > 0)
     warnings.push_back("the faces looked inwards: turned outwards");
-  }
   checked.from_world = stand_in_our_frame(mesh, options, warnings);
   checked.mesh = std::move(mesh);
   if (options.tell_crossings) warn_of_crossings(checked);

@@ -8,7 +8,8 @@
 namespace loosefit::body {
 
 /// A surface fit to be a body: metres, z up, facing -y, closed, outward, one piece, floor at z = 0,
-/// trunk over the origin.
+/// trunk over the origin. With ScanOptions::take_parts and more than one piece: neither one
+/// piece nor closed.
 struct CheckedSurface {
   geometry::TriangleMesh mesh;
   /// The file's world, in metres and with z up, → this frame (scan_frame.h).

@@ -10,6 +10,7 @@
 #include "loosefit/body/hanging_arms.h"
 #include "loosefit/body/landmarks.h"
 #include "loosefit/body/skeleton_pose.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/body/tape_paths.h"
 
 namespace loosefit::body {
@@ -146,7 +147,11 @@ BodyShape BodyModel::measured(RestBody rest) const {
 
 BodyShape BodyModel::shape(const BodyParameters& parameters) const {
   check_parameters(parameters);
-  return measured(rest(parameters));
+  BodyShape shape = measured(rest(parameters));
+  shape.stumps = parameters.stumps;
+  if (shape.stumps)
+    shape.measured = shape.stumps->without(std::move(shape.measured), shape.rest.surface.vertices);
+  return shape;
 }
 
 std::vector<Eigen::Affine3d> BodyModel::bones(const RestBody& rest, const Posture& posture) const {
@@ -167,19 +172,20 @@ Body BodyModel::posed(const BodyShape& shape, const Posture& posture) const {
 
 std::vector<Vec3> BodyModel::vertices(const BodyShape& shape, const Posture& posture) const {
   check_posture(posture);
-  std::vector<Vec3> placed =
-      carried(blend_bones(bones(shape.rest, posture), fine_skin_), shape.rest.surface.vertices);
+  const auto maps = blend_bones(bones(shape.rest, posture), fine_skin_);
+  std::vector<Vec3> placed = carried(maps, shape.rest.surface.vertices);
   const Vec3 drop(0, 0, lowest(placed));
+  if (shape.stumps) placed = shape.stumps->without(placed, maps);
   for (Vec3& p : placed) p -= drop;
   return placed;
 }
 
 Body BodyModel::build(const PosedPerson& person) const {
   check_parameters(person.parameters);
-  const RestBody rest = this->rest(person.parameters);
-  auto bones = pose_bones(*data_, rest.joints, person.rotations);
+  const BodyShape shape = this->shape(person.parameters);
+  auto bones = pose_bones(*data_, shape.rest.joints, person.rotations);
   for (Eigen::Affine3d& bone : bones) bone = Eigen::Affine3d(person.place.matrix()) * bone;
-  return carry(measured(rest), bones, Floor::as_placed);
+  return carry(shape, bones, Floor::as_placed);
 }
 
 Body BodyModel::carry(const BodyShape& shape, const std::vector<Eigen::Affine3d>& bones,
@@ -213,7 +219,7 @@ Body BodyModel::carry(const BodyShape& shape, const std::vector<Eigen::Affine3d>
     const auto index = std::size_t(bone - data_->bones.begin());
     body.joints[name] = bones[index] * rest.joints[std::size_t(joint)] - drop;
   }
-  return body;
+  return shape.stumps ? shape.stumps->without(body, rest_drop.z()) : body;
 }
 
 }  // namespace loosefit::body

@@ -10,6 +10,8 @@
 
 namespace loosefit::body {
 
+class Stumps;
+
 /// The knobs of the parametric body. All but age lie in [0,1] with 0.5 as the average; `height` is
 /// a level, not metres: BodyModel::fit finds it for a stature. `weight` may go up to 1.6.
 struct BodyParameters {
@@ -27,6 +29,8 @@ struct BodyParameters {
   /// What a scan has beyond the model: added to the body vertices of the data in the rest posture
   /// [m]. Null: nothing.
   std::shared_ptr<const std::vector<Vec3>> shift;
+  /// What a scan lacks: the model makes the person without it. Null: nothing.
+  std::shared_ptr<const Stumps> stumps;
 };
 
 /// Factor of every word that macro target names are made of: "female", "child", "maxweight", …

@@ -9,9 +9,12 @@
 #include <limits>
 
 #include "loosefit/body/facing_skin.h"
+#include "loosefit/body/lay_person.h"
+#include "loosefit/body/missing_limbs.h"
 #include "loosefit/body/morph.h"
 #include "loosefit/body/person_variables.h"
 #include "loosefit/body/rest_body.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/body/surface_shift.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
@@ -80,6 +83,10 @@ SkinSamples spread_samples(const TriangleMesh& mesh, int count) {
     samples.normal.push_back(geometry::triangle_normal(p, q, r));
   }
   return samples;
+}
+
+bool is_same_limb(const MissingLimb& a, const MissingLimb& b) {
+  return a.side == b.side && a.of_leg() == b.of_leg();
 }
 
 class Registration {
@@ -151,6 +158,41 @@ class Registration {
   /// From now on nothing is known of hands.
   void leave_hands_out() { hands_count_ = 0; }
 
+  /// A limb that the scan lacks is drawn to skin of others, and draws the rest along. So the person
+  /// is laid on the scan again without the limbs that may be missing, and once more without what is
+  /// found missing then. Kept where the rest explains the scan as well as the whole person did.
+  std::vector<MissingLimb> leave_out_missing(PosedPerson& person) {
+    constexpr double kLess = 0.01;
+    std::vector<MissingLimb> missing = missing_limbs(model_, person, scan_);
+    for (MissingLimb& limb : doubtful_limbs(model_, person, scan_)) {
+      std::erase_if(missing, [&](const MissingLimb& m) { return is_same_limb(m, limb); });
+      missing.push_back(std::move(limb));
+    }
+    if (missing.empty()) return missing;
+    leave_out(missing);
+    PosedPerson without = nearest();
+    leave_out(missing = missing_limbs(model_, without, scan_));
+    if (!missing.empty()) {
+      improve(without, kSure, kFarthest[0] / 4, kFarthest[1]);
+      missing = missing_limbs(model_, without, scan_);
+    }
+    if (!missing.empty() && explained_share(model_, without, missing, scan_) >
+                                explained_share(model_, person, {}, scan_) - kLess)
+      person = std::move(without);
+    else
+      missing.clear();
+    leave_out(missing);
+    return missing;
+  }
+
+  /// From now on nothing is known of what these limbs have beyond their ends.
+  void leave_out(const std::vector<MissingLimb>& limbs) {
+    lacks_.assign(std::size_t(data_.body_vertices), 0);
+    for (const MissingLimb& limb : limbs)
+      for (const int v : limb.vertices)
+        if (v < data_.body_vertices) lacks_[std::size_t(v)] = 1;
+  }
+
   /// Whether one of the hands, in the mean over its skin, is too far from the scan to be as it is
   /// there.
   bool hands_are_off(const PosedPerson& person) const {
@@ -158,7 +200,7 @@ class Registration {
     const auto surface = surface_of(person, rows);
     double sum[2] = {}, count[2] = {};
     for (int v = 0; v < data_.body_vertices; ++v)
-      if (is_hand(v)) {
+      if (is_hand(v) && !lacks(v)) {
         const bool left = rows[std::size_t(v)].x() > 0;
         sum[left] += tree_.query(surface[std::size_t(v)]).distance;
         ++count[left];
@@ -216,7 +258,11 @@ class Registration {
 
   bool is_hand(int vertex) const { return model_.segments()[std::size_t(vertex)] == Segment::hand; }
 
-  double weight_of(int vertex) const { return is_hand(vertex) ? hands_count_ : 1; }
+  bool lacks(int vertex) const { return !lacks_.empty() && lacks_[std::size_t(vertex)]; }
+
+  double weight_of(int vertex) const {
+    return lacks(vertex) ? 0 : is_hand(vertex) ? hands_count_ : 1;
+  }
 
   static constexpr double kNotSeen = -1;
 
@@ -226,15 +272,15 @@ class Registration {
     std::vector<double> costs;
     for (const int v : sampled_)
       costs.push_back(
-          is_hand(v) ? kNotSeen
-                     : robust_cost(tree_.query(surface[std::size_t(v)]).distance, kFarthest[1]));
+          is_hand(v) || lacks(v)
+              ? kNotSeen
+              : robust_cost(tree_.query(surface[std::size_t(v)]).distance, kFarthest[1]));
     const TriangleMesh mesh{surface, coarse_};
     const ClosestPointTree tree(mesh);
     for (const Vec3& p : samples_.point) {
       const ClosestPoint c = tree.query(p);
-      costs.push_back(is_hand(coarse_[std::size_t(c.triangle)][0])
-                          ? kNotSeen
-                          : robust_cost(c.distance, kFarthest[1]));
+      const int v = coarse_[std::size_t(c.triangle)][0];
+      costs.push_back(is_hand(v) || lacks(v) ? kNotSeen : robust_cost(c.distance, kFarthest[1]));
     }
     return costs;
   }
@@ -364,13 +410,30 @@ class Registration {
   std::vector<int> sampled_;
   double height_ = 0;
   double hands_count_ = kHandsCount;
+  std::vector<char> lacks_;  ///< per vertex, whether it is of a missing limb; empty: none is
 };
+
+/// Skin that one side lacks is that of the other, turned over, where the other has it.
+void mirror_missing_skin(const BodyData& data, RegisteredPerson& registered) {
+  std::vector<char> lacks(std::size_t(data.body_vertices), 0);
+  for (const MissingLimb& limb : registered.missing)
+    for (const int v : limb.vertices)
+      if (v < data.body_vertices) lacks[std::size_t(v)] = 1;
+  auto shift = *registered.person.parameters.shift;
+  for (std::size_t v = 0; v < lacks.size(); ++v) {
+    const auto other = std::size_t(data.mirror[v]);
+    if (!lacks[v] || lacks[other]) continue;
+    shift[v] = Vec3(-shift[other].x(), shift[other].y(), shift[other].z());
+  }
+  registered.person.parameters.shift = std::make_shared<const std::vector<Vec3>>(std::move(shift));
+}
 
 }  // namespace
 
 RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& scan) {
   Registration registration(model, scan);
   PosedPerson person = registration.nearest();
+  std::vector<MissingLimb> missing = registration.leave_out_missing(person);
   // Fists, or hands that hold something, would draw the arms to where the model's fingers end.
   // An arm that lies elsewhere for another reason is not always found better without its hand;
   // where it is, the hand may well be the model's.
@@ -379,11 +442,19 @@ RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& sca
     registration.leave_hands_out();
     PosedPerson handless = registration.nearest();
     if (registration.is_as_near(handless, person)) {
-      left_out = registration.hands_are_off(handless);
       person = std::move(handless);
+      // A hand that is missing had drawn the wrist to where the skin ends.
+      missing = missing_limbs(model, person, scan);
+      registration.leave_out(missing);
+      left_out = registration.hands_are_off(person);
     }
   }
-  RegisteredPerson registered = lay_skin(model, scan, person);
+  RegisteredPerson registered = lay_skin(model, scan, person, std::move(missing));
+  if (!registered.missing.empty()) {
+    mirror_missing_skin(model.data(), registered);
+    registered.person.parameters.stumps = std::make_shared<const Stumps>(
+        lay(model, registered.person), registered.person.place, registered.missing);
+  }
   registered.hands_left_out = left_out;
   return registered;
 }

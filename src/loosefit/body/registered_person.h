@@ -1,4 +1,7 @@
 #pragma once
+#include <vector>
+
+#include "loosefit/body/missing_limb.h"
 #include "loosefit/body/posed_person.h"
 
 namespace loosefit::body {
@@ -27,6 +30,7 @@ struct RegisteredPerson {
   RegistrationError of_model;  ///< before the shift: the nearest person of the model
   StandOff stand_off;          ///< before the shift, too
   RegistrationError error;
+  std::vector<MissingLimb> missing;  ///< the person has BodyParameters::stumps there
   bool hands_left_out = false;  ///< one is missing in the scan or held another way: neither counted
 };
 

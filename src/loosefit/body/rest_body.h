@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,12 @@ struct RestBody {
   std::vector<Vec3> joints;  ///< per joint of BodyData
 };
 
+class Stumps;
+
 /// What of a person no posture changes.
 struct BodyShape {
-  RestBody rest;
+  RestBody rest;                               ///< whole, whatever limbs are missing
+  std::shared_ptr<const Stumps> stumps;        ///< null: nothing is missing
   std::map<std::string, double> measured;      ///< as Body::measured
   std::map<std::string, int> landmark_vertex;  ///< as Body::landmark_vertex
 };

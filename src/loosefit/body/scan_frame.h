@@ -16,7 +16,9 @@ struct ScanOptions {
   /// flat patch of width d on a trunk of radius R misses the skin by d²/8R, here by 3 mm, which is
   /// what a tape can tell; wider holes hide shape that nobody has measured.
   double widest_hole = 0.03;
-  double most_filled = 0.01;   ///< share of the skin that may be filled holes
+  double most_filled = 0.01;  ///< share of the skin that may be filled holes
+  /// Whether several surfaces may be one person: then they are kept as they are, holes included.
+  bool take_parts = false;
   bool tell_crossings = true;  ///< warn of faces that pass through each other
 };
 

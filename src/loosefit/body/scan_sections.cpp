@@ -109,8 +109,40 @@ constexpr char kHowToStand[] =
 
 constexpr double kHanging = 60;  // arms raised less are apart from the trunk in level cuts [°]
 
+constexpr double kLeastArm = 0.27;  // from the armpit to the end: to the wrist it is 0.28
+constexpr double kLeastLeg = 0.05;  // height at which a leg may end above the floor
+
+/// From the armpit along the skin to the end.
+double length_of(const LimbChain& arm) {
+  return arm.rings.back().reach - arm.rings.front().reach + (arm.fold - arm.parted).norm();
+}
+
+/// A scan with arms to the hands and legs to the floor, as far as they are told apart.
+void require_ends(const ScanLimbs& limbs, double height) {
+  for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
+    const char* name = side == 0 ? "left" : "right";
+    const LimbChain &arm = limbs.arm[side], &leg = limbs.leg[side];
+    if (!arm.touches && length_of(arm) < kLeastArm * height)
+      throw GeometryError(
+          fmt::format("found no {} hand: that arm ends {:.2f} m from the armpit, expected at least "
+                      "{:.2f} m",
+                      name, length_of(arm), kLeastArm * height),
+          kHowToStand);
+    if (leg.found() && leg.tip.z() > kLeastLeg * height)
+      throw GeometryError(fmt::format("found no {} foot: that leg ends {:.2f} m above the floor",
+                                      name, leg.tip.z()),
+                          kHowToStand);
+  }
+}
+
 /// A scan whose arms are told from the trunk.
 void require_arms(const ScanLimbs& limbs, double height) {
+  if (!limbs.arm[0].found() && !limbs.arm[1].found())
+    throw GeometryError(
+        fmt::format("found no arms{} that are free of the trunk (a dress form, a trunk alone, or "
+                    "limbs that have grown together with it)",
+                    limbs.leg[0].found() ? "" : " and no legs"),
+        kHowToStand);
   for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
     const LimbChain& arm = limbs.arm[side];
     const char* name = side == 0 ? "left" : "right";
@@ -151,6 +183,7 @@ ScanSections slice_scan(const geometry::TriangleMesh& mesh, const ScanLimbs& lim
   for (const auto& p : mesh.vertices) found.height = std::max(found.height, p.z());
   const double h = found.height;
   require_arms(limbs, h);
+  require_ends(limbs, h);
   found.legs_apart = limbs.leg[0].found() && limbs.leg[0].fold.z() > kLowestCrotch * h &&
                      limbs.leg[0].fold.z() < kHighestCrotch * h;
   // Adults 0.47, children less: only used when the legs touch.

@@ -30,7 +30,8 @@ struct ScanSections {
 inline constexpr int kSliceCount = 300;
 
 /// Tells the loops of a level apart by the limb that their vertices belong to.
-/// \throws GeometryError when an arm was not found, or clings to the trunk below the ribs.
+/// \throws GeometryError when an arm was not found, clings to the trunk below the ribs or has no
+/// hand, or when a leg has no foot.
 ScanSections slice_scan(const geometry::TriangleMesh& mesh, const ScanLimbs& limbs);
 
 }  // namespace loosefit::body

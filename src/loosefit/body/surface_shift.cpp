@@ -12,6 +12,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/facing_skin.h"
+#include "loosefit/body/lay_person.h"
 #include "loosefit/geometry/closest_point_tree.h"
 
 namespace loosefit::body {
@@ -36,42 +37,26 @@ bool is_covered(Segment s) {
   return s != Segment::head && s != Segment::hand && s != Segment::foot;
 }
 
-/// The surface in the scan's frame, and how each vertex came there from the rest posture.
-struct Laid {
-  std::vector<Vec3> rest, surface;
-  std::vector<Eigen::Matrix<double, 3, 4>> maps;
-  std::vector<Triangle> triangles;
-};
-
-Laid lay(const BodyModel& model, const PosedPerson& person) {
-  RestBody rest = model.rest(person.parameters);
-  Laid laid;
-  laid.maps = blend_bones(pose_bones(model.data(), rest.joints, person.rotations), model.skin());
-  laid.triangles = std::move(rest.surface.triangles);
-  laid.rest = std::move(rest.surface.vertices);
-  for (std::size_t v = 0; v < laid.rest.size(); ++v)
-    laid.surface.push_back(person.place * Vec3(laid.maps[v] * laid.rest[v].homogeneous()));
-  return laid;
-}
-
-RegistrationError error_of(const Laid& laid, const BodyModel& model, const TriangleMesh& scan,
-                           const ClosestPointTree& tree) {
+/// `lacks`: per vertex, whether it is of a limb that the scan does not have.
+RegistrationError error_of(const LaidSkin& laid, const BodyModel& model, const TriangleMesh& scan,
+                           const ClosestPointTree& tree, const std::vector<char>& lacks) {
   std::vector<double> distances;
+  const auto counts = [&](std::size_t v) { return is_covered(model.segments()[v]) && !lacks[v]; };
   for (std::size_t v = 0; v < laid.surface.size(); v += 7)
-    if (is_covered(model.segments()[v])) distances.push_back(tree.query(laid.surface[v]).distance);
+    if (counts(v)) distances.push_back(tree.query(laid.surface[v]).distance);
   const TriangleMesh mesh{laid.surface, laid.triangles};
   const ClosestPointTree back(mesh);
   const std::size_t step = std::max<std::size_t>(1, scan.vertices.size() / distances.size());
   for (std::size_t v = 0; v < scan.vertices.size(); v += step) {
     const ClosestPoint c = back.query(scan.vertices[v]);
-    if (is_covered(model.segments()[std::size_t(laid.triangles[std::size_t(c.triangle)][0])]))
+    if (counts(std::size_t(laid.triangles[std::size_t(c.triangle)][0])))
       distances.push_back(c.distance);
   }
   std::ranges::sort(distances);
   return {distances[distances.size() / 2], distances[distances.size() * 95 / 100]};
 }
 
-StandOff stand_off_of(const Laid& laid, const BodyModel& model, const TriangleMesh& scan) {
+StandOff stand_off_of(const LaidSkin& laid, const BodyModel& model, const TriangleMesh& scan) {
   const TriangleMesh mesh{laid.surface, laid.triangles};
   const ClosestPointTree tree(mesh);
   std::array<int, kSegments> seen{}, off{};
@@ -101,7 +86,7 @@ StandOff stand_off_of(const Laid& laid, const BodyModel& model, const TriangleMe
 /// Fills in what the scan has over the model's neck. A scan may end there, so that few of its
 /// points tell: the skin of the model is asked instead, from which the scan lies along the normal.
 template <class NormalOf>
-void look_at_neck(StandOff& found, const Laid& laid, const BodyModel& model,
+void look_at_neck(StandOff& found, const LaidSkin& laid, const BodyModel& model,
                   const ClosestPointTree& scan, const NormalOf& scan_normal) {
   const auto outward = geometry::vertex_normals(laid.surface, laid.triangles);
   int all = 0, seen = 0, off = 0;
@@ -124,7 +109,8 @@ void look_at_neck(StandOff& found, const Laid& laid, const BodyModel& model,
 }
 
 /// Whether other skin faces a vertex nearby: in armpits, between the thighs, under hanging arms.
-std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& outward, int count) {
+std::vector<char> hidden_vertices(const LaidSkin& laid, const std::vector<Vec3>& outward,
+                                  int count) {
   const TriangleMesh mesh{laid.surface, laid.triangles};
   const ClosestPointTree tree(mesh);
   std::vector<char> hidden(std::size_t(count), 0);
@@ -143,7 +129,7 @@ std::vector<char> hidden_vertices(const Laid& laid, const std::vector<Vec3>& out
 }  // namespace
 
 RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
-                          const PosedPerson& person) {
+                          const PosedPerson& person, std::vector<MissingLimb> missing) {
   const BodyData& data = model.data();
   const auto count = Eigen::Index(data.body_vertices);
   const ClosestPointTree tree(scan);
@@ -155,9 +141,13 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
 
   RegisteredPerson result;
   result.person = person;
+  std::vector<char> lacks(model.segments().size(), 0);
+  for (const MissingLimb& limb : missing)
+    for (const int v : limb.vertices) lacks[std::size_t(v)] = 1;
+  result.missing = std::move(missing);
   std::vector<Vec3> shift(std::size_t(count), Vec3::Zero());
-  Laid laid = lay(model, result.person);
-  result.of_model = error_of(laid, model, scan, tree);
+  LaidSkin laid = lay(model, result.person);
+  result.of_model = error_of(laid, model, scan, tree, lacks);
   result.stand_off = stand_off_of(laid, model, scan);
   look_at_neck(result.stand_off, laid, model, tree, scan_normal);
   std::vector<Vec3> moved(std::size_t(count), Vec3::Zero());  // so far, in the scan's frame
@@ -184,7 +174,7 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
       const auto i = std::size_t(v);
       const Vec3& n = outward[i];
       const Segment segment = model.segments()[i];
-      if (segment != Segment::hand && segment != Segment::foot && !pressed[i] &&
+      if (segment != Segment::hand && segment != Segment::foot && !pressed[i] && !lacks[i] &&
           closest[i].triangle >= 0) {
         known = 1;
         right.row(v) = (moved[i] + n * n.dot(closest[i].point - laid.surface[i])).transpose();
@@ -212,7 +202,7 @@ RegisteredPerson lay_skin(const BodyModel& model, const TriangleMesh& scan,
     result.person.parameters.shift = std::make_shared<const std::vector<Vec3>>(shift);
     laid = lay(model, result.person);
   }
-  result.error = error_of(laid, model, scan, tree);
+  result.error = error_of(laid, model, scan, tree, lacks);
   return result;
 }
 

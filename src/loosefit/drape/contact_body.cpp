@@ -11,13 +11,16 @@
 namespace loosefit::drape {
 namespace {
 /// The hull of each hand: cloth does not go between fingers, and a sleeve that is drawn over a hand
-/// is not caught on the thumb.
+/// is not caught on the thumb. Somebody may lack a hand.
 std::vector<geometry::TriangleMesh> hand_hulls(const body::Body& body) {
   std::vector<Vec3> hand[2];
   for (std::size_t v = 0; v < body.segment.size(); ++v)
     if (body.segment[v] == body::Segment::hand && v < body.side.size() && body.side[v] != 0)
       hand[body.side[v] > 0].push_back(body.surface.vertices[v]);
-  return {geometry::convex_hull(hand[0]), geometry::convex_hull(hand[1])};
+  std::vector<geometry::TriangleMesh> hulls;
+  for (const std::vector<Vec3>& points : hand)
+    if (points.size() > 3) hulls.push_back(geometry::convex_hull(points));
+  return hulls;
 }
 
 Eigen::Affine3d affine(const Eigen::Matrix<double, 3, 4>& m) {

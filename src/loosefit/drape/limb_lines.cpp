@@ -5,13 +5,16 @@
 #include <string>
 #include <tuple>
 
+#include "loosefit/body/stumps.h"
+
 namespace loosefit::drape {
 namespace {
 
-constexpr double kChest = 0.6;  ///< of the way from hip to neck, where limbs begin: a neckline may
-                                ///< slip past the neck's own joint
-constexpr double kAbove = 0.5;  ///< of the way from hip to neck, beyond the neck: over the crown
-constexpr double kHand = 0.8;   ///< of the forearm's length, from the wrist to past the fingertips
+constexpr double kChest = 0.6;   ///< of the way from hip to neck, where limbs begin: a neckline may
+                                 ///< slip past the neck's own joint
+constexpr double kAbove = 0.5;   ///< of the way from hip to neck, beyond the neck: over the crown
+constexpr double kHand = 0.8;    ///< of the forearm's length, from the wrist to past the fingertips
+constexpr double kStump = 0.02;  ///< beyond the end of a limb that is missing from there on [m]
 constexpr double kFoot = 1.5;  ///< of the shank's length, beyond the ankle: hems reach to the floor
 
 /// Of the discs' middles, so that a limb in the very middle does not meet all spokes at once [m].
@@ -27,6 +30,20 @@ int crossing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const V
              ca = volume(way, c - p, a - p) > 0;
   if (ab != bc || bc != ca) return 0;
   return from ? 1 : -1;
+}
+
+/// Ends the line of joints where its limb does. `names`: of its points.
+void end_at_stump(std::vector<Vec3>& line, const std::vector<std::string>& names,
+                  const std::string& end, const std::map<std::string, Vec3>& at) {
+  const auto stump = at.find(end);
+  if (stump == at.end()) return;
+  std::size_t kept = 0;
+  while (kept < names.size() && !body::is_beyond_end(at, names[kept])) ++kept;
+  // A joint next to the end would turn the line back.
+  while (kept > 2 && (line[kept - 1] - stump->second).norm() < 2 * kStump) --kept;
+  line.resize(kept);
+  const Vec3 along = (stump->second - line.back()).normalized();
+  line.push_back(stump->second + kStump * along);
 }
 
 LimbNumbers normal_form(LimbNumbers n) {
@@ -67,8 +84,17 @@ LimbLines limb_lines(const std::map<std::string, Vec3>& at) {
     const Vec3 tip = wrist + std::max(reach, known) * along.normalized();
     lines[arm] = {chest, at.at("shoulder" + side), elbow, wrist, tip};
     lines[leg] = {chest, hip, at.at("hip" + side), knee, ankle, ankle + kFoot * (ankle - knee)};
+    end_at_stump(lines[arm], {"chest", "shoulder" + side, "elbow" + side, "wrist" + side},
+                 "arm_end" + side, at);
+    end_at_stump(lines[leg], {"chest", "hips", "hip" + side, "knee" + side, "ankle" + side},
+                 "leg_end" + side, at);
   }
   return lines;
+}
+
+bool lacks_end(Limb limb, const body::Body& body) {
+  constexpr const char* kEnds[] = {"", "arm_end_L", "arm_end_R", "leg_end_L", "leg_end_R"};
+  return body.joints.count(kEnds[limb]) > 0;
 }
 
 LimbNumbers limbs_through_openings(const std::vector<int>& loop, const std::vector<Vec3>& x,

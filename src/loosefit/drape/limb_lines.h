@@ -11,12 +11,15 @@ namespace loosefit::drape {
 /// The ends of a person, and the order in which limbs are counted.
 enum Limb { kHead, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kLimbs };
 
-/// The middle of each limb, from the chest to beyond its end [m]. Empty lines for a body without
-/// joints.
+/// The middle of each limb, from the chest to beyond its end [m], or to 2 cm beyond where it ends
+/// of a person who lacks the rest (body/stumps.h). Empty lines for a body without joints.
 using LimbLines = std::array<std::vector<Vec3>, kLimbs>;
 LimbLines limb_lines(const body::Body& body);
 /// The same of joints alone.
 LimbLines limb_lines(const std::map<std::string, Vec3>& joints);
+
+/// Whether a limb ends early (body/stumps.h), so that the sleeve or leg of a garment may be empty.
+bool lacks_end(Limb limb, const body::Body& body);
 
 /// How often each limb goes through a closed curve: signed crossings of its line with the disc
 /// between the curve and its middle, less the number that most limbs have, the first that is not

@@ -183,8 +183,11 @@ class Verdict {
     return 2 * static_cast<std::size_t>(hood) > o.loop.size();
   }
 
+  /// Whether what was asked last goes round nothing since the wearer lacks a part of this limb.
+  bool hangs(Limb limb) const { return round_ == kRoundNothing && lacks_end(limb, body_); }
+
   void check_arm(const Opening& o, Limb limb, const std::string& side) {
-    if (goes_round(o, round_limb(limb))) return;
+    if (goes_round(o, round_limb(limb)) || hangs(limb)) return;
     if (round_ == kRoundNothing)
       say("the " + side + " sleeve is empty");
     else
@@ -192,7 +195,7 @@ class Verdict {
   }
 
   void check_leg(const Opening& o, Limb limb, const std::string& side) {
-    if (goes_round(o, round_limb(limb))) return;
+    if (goes_round(o, round_limb(limb)) || hangs(limb)) return;
     if (round_ == kRoundNothing)
       say("the " + side + " trouser leg is empty");
     else
@@ -430,7 +433,8 @@ class Verdict {
       return std::ranges::any_of(openings_,
                                  [&](const Opening& o) { return goes_round(o, round_limb(arm)); });
     };
-    const bool left_in = in_one(kLeftArm), right_in = in_one(kRightArm);
+    const bool left_in = in_one(kLeftArm) || lacks_end(kLeftArm, body_),
+               right_in = in_one(kRightArm) || lacks_end(kRightArm, body_);
     if (!left_in && !right_in)
       say("no arm is in a sleeve");
     else if (left && right && !(left_in && right_in))

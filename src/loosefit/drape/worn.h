@@ -13,7 +13,8 @@ namespace loosefit::drape {
 ///
 /// * limbs through openings: neck (or the seam of a hood), cuffs, waist and hem (drape/openings.h)
 ///   go round what they were made for; a cuff beyond the hand counts when its sleeve has the arm in
-///   it; the face of a hood goes round nothing: round the neck, the hood is off the head;
+///   it; the sleeve or leg of a limb that the wearer lacks may hang empty (body/stumps.h); the face
+///   of a hood goes round nothing: round the neck, the hood is off the head;
 /// * levels: a waist has not slid down from where it was made for by more than half the way from
 ///   waist to crotch (12 cm on a man of 1.75 m: from the waist to the upper hips, beyond which no
 ///   hip bone holds it), nor below the widest hip by more than a quarter of that way, and has not
@@ -22,8 +23,8 @@ namespace loosefit::drape {
 ///   the pattern places it, not above the waist nor below the upper hips; a tube for the trunk may
 ///   be made for the chest. Neck openings on the shoulders, hems and cuffs may lie where they like;
 /// * a tube with two ends goes round what it is placed round: the trunk, the neck (a poncho, whose
-///   hem may lie on the arms) or one limb (a stocking, whose upper end has not slid down the limb by
-///   more than half the way from waist to crotch); when that is nothing known, whatever is in
+///   hem may lie on the arms) or one limb (a stocking, whose upper end has not slid down the limb
+///   by more than half the way from waist to crotch); when that is nothing known, whatever is in
 ///   one end is in the other; the hem of a skirt is not above its waist;
 /// * arms are in what is called a sleeve;
 /// * a garment that is open in front has its armholes at the shoulders and its edge behind the

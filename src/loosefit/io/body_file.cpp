@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "loosefit/body/stumps.h"
 #include "loosefit/io/text_file.h"
 
 namespace loosefit::io {
@@ -37,6 +38,8 @@ void write_body_json(const std::string& path, const body::Body& body, const body
     json["asked"].push_back({{"name", row.name}, {"asked", row.asked}, {"measured", row.measured}});
   }
   json["warnings"] = fit.warnings;
+  json["missing"] =
+      fit.parameters.stumps ? fit.parameters.stumps->names() : std::vector<std::string>{};
   const bool scan = body.pose_from_rest.empty();
   if (!scan) json["parameters"] = parameters_json(fit.parameters);
   json["landmarks"] = points(body.landmarks);

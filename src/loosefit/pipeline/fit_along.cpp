@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/section.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/body/tape_paths.h"
 
 namespace loosefit::pipeline {
@@ -68,14 +70,17 @@ class TrunkTape {
   std::vector<std::array<double, 2>> down_;  // length of the tape, height z
 };
 
-/// The left arm, bent as it is.
+/// The left arm, bent as it is; the right one of people who lack a part of the left.
 class Arm {
  public:
   explicit Arm(const body::Body& body)
+      : Arm(body, body::is_beyond_end(body.joints, "hand_L") ? "_R" : "_L") {}
+
+  Arm(const body::Body& body, const std::string& side)
       : body_(body),
-        shoulder_(body.joints.at("shoulder_L")),
-        elbow_(body.joints.at("elbow_L")),
-        wrist_(body.joints.at("wrist_L")),
+        shoulder_(body.joints.at("shoulder" + side)),
+        elbow_(body.joints.at("elbow" + side)),
+        wrist_(body.joints.at("wrist" + side)),
         length_(body.measured.at("arm_length")) {
     const auto measured = body.measured.find("elbow_length");
     const double upper = (elbow_ - shoulder_).norm(), fore = (wrist_ - elbow_).norm();

@@ -5,6 +5,7 @@
 
 #include "loosefit/base/sha256.h"
 #include "loosefit/base/version.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
@@ -111,6 +112,8 @@ Json body_json(const CaseBody& body) {
   Json json = {{"measured", Json::object()}, {"asked", Json::object()}};
   for (const auto& [key, value] : body.body->measured) json["measured"][key] = value;
   for (const body::MeasureRow& row : body.asked) json["asked"][row.name] = row.asked;
+  json["missing"] =
+      body.parameters.stumps ? body.parameters.stumps->names() : std::vector<std::string>{};
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/placement/ray.h"
 
 namespace loosefit::placement {
@@ -218,8 +219,9 @@ geometry::ClosestPoint BodyAddresses::skin(const BodyAddress& address) const {
                                                  : "no side: there is one " + words);
   const auto frame = axes(address.segment, address.side);
   if (!frame)
-    throw InvalidInput(InputPlace{"", 0, "segment"}, words,
-                       "a segment whose landmarks and joints this body has");
+    throw InvalidInput(
+        InputPlace{"", 0, "segment"}, words,
+        "a segment whose landmarks and joints this body has" + body::ends_in_words(body_.joints));
   // A point that lies on the segment's skin already is taken as it is.
   const Vec3 point = frame->point(address.percent);
   const geometry::ClosestPoint near = nearest(point, address);

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "loosefit/body/stumps.h"
 #include "loosefit/placement/ray.h"
 
 namespace loosefit::placement {
@@ -80,10 +81,12 @@ void add_arm(const body::Body& body, int side, SkinRays& rays) {
   const auto arm = arm_of(body, side);
   if (!arm) return;
   const Vec3 lateral = -side * arm->across;
+  if (body::is_beyond_end(body.joints, sided("elbow", side))) return;
   rays.add(sided("epicondyle_lateral", side), arm->joint, lateral);
   rays.add(sided("epicondyle_medial", side), arm->joint, -lateral);
   rays.add(sided("olecranon", side), arm->joint, -arm->front);
   rays.add(sided("cubital_fossa", side), arm->joint, arm->front);
+  if (body::is_beyond_end(body.joints, sided("wrist", side))) return;
   const Vec3 wrist = *joint(body, "wrist", side), out = square_to(arm->lower, lateral);
   rays.add(sided("wrist_lateral", side), wrist, out);
   rays.add(sided("wrist_medial", side), wrist, -out);
@@ -94,10 +97,12 @@ void add_leg(const body::Body& body, int side, SkinRays& rays) {
   if (!leg) return;
   const Vec3 lateral = -side * leg->across;
   rays.add(sided("trochanter", side), *joint(body, "hip", side), lateral);
+  if (body::is_beyond_end(body.joints, sided("knee", side))) return;
   rays.add(sided("knee_lateral", side), leg->joint, lateral);
   rays.add(sided("knee_medial", side), leg->joint, -lateral);
   rays.add(sided("patella", side), leg->joint, leg->front);
   rays.add(sided("popliteal", side), leg->joint, -leg->front);
+  if (body::is_beyond_end(body.joints, sided("ankle", side))) return;
   const Vec3 ankle = *joint(body, "ankle", side), out = square_to(leg->lower, lateral);
   rays.add(sided("malleolus_lateral", side), ankle, out);
   rays.add(sided("malleolus_medial", side), ankle, -out);

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/placement/ray.h"
 
 namespace loosefit::placement {
@@ -130,8 +131,10 @@ std::vector<std::string> SitePoints::names() const {
 
 Vec3 SitePoints::at(const std::string& name) const {
   if (const auto point = find(name)) return *point;
-  throw InvalidInput(InputPlace{"", 0, "landmark"}, '"' + printable(name) + '"',
-                     "a landmark or preset of this body", did_you_mean(name, names()));
+  throw InvalidInput(
+      InputPlace{"", 0, "landmark"}, '"' + printable(name) + '"',
+      "a landmark or preset of this body" + body::ends_in_words(addresses_.body().joints),
+      did_you_mean(name, names()));
 }
 
 std::vector<SiteSpec> SitePoints::presets() const {

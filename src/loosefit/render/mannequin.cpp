@@ -27,6 +27,7 @@ constexpr double kNeckRing = 0.008;     // of the neck at its end that the plug 
 constexpr double kPlug = 0.05;          // length of the plug [m]
 constexpr double kPlugFoot = 0.96, kPlugTop = 0.75;  // its width over the neck's
 constexpr double kBelowAnkle = 0.0;                  // where the last begins [m]
+constexpr std::size_t kSolid = 4;                    // points; who lacks a hand or foot has fewer
 constexpr int kEggRounds = 60, kMittenRounds = 20, kLastRounds = 4;
 
 std::optional<Vec3> joint(const body::Body& body, const std::string& name) {
@@ -146,7 +147,7 @@ void add_lasts(std::vector<geometry::TriangleMesh>& parts, const body::Body& bod
     if (const auto ankle = limb_end(body, "knee", "ankle", side))
       std::erase_if(
           foot, [&](const Vec3& p) { return (p - ankle->end).dot(ankle->along) < kBelowAnkle; });
-    parts.push_back(smooth_solid(foot, {}, kLastRounds));
+    if (foot.size() >= kSolid) parts.push_back(smooth_solid(foot, {}, kLastRounds));
   }
 }
 
@@ -198,7 +199,7 @@ void end_in_mittens(CutForm& form, std::vector<geometry::TriangleMesh>& parts,
           return body.segment[v] == body::Segment::hand && side.has(body, v) ? -1.0 : 1.0;
         },
         wrist->along);
-    parts.push_back(smooth_solid(palm, cloth, kMittenRounds));
+    if (palm.size() >= kSolid) parts.push_back(smooth_solid(palm, cloth, kMittenRounds));
   }
 }
 

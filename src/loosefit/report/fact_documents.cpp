@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "loosefit/base/version.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/pattern/outline.h"
@@ -114,6 +115,8 @@ std::string body_document(const body::Body& body, const body::BodyFit& fit,
                      : name == "shoulder_slope" ? "_rad"
                                                 : "_m")] = value;
   Json json = {{"asked", asked}, {"measured", measured}, {"warnings", fit.warnings}};
+  json["missing"] =
+      fit.parameters.stumps ? fit.parameters.stumps->names() : std::vector<std::string>{};
   add_written(json, written);
   return text_of(json);
 }

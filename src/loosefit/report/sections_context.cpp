@@ -4,6 +4,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/base/version.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
@@ -69,6 +70,13 @@ Table body_table(const pipeline::CaseResult& result) {
   return table;
 }
 
+/// What a scan lacks of a person; nothing where it is whole.
+std::string missing_in_words(const pipeline::CaseResult& result) {
+  if (!result.body.parameters.stumps) return {};
+  return element("p", "The scan has no " + join(result.body.parameters.stumps->names(), ", no ") +
+                          ": the garment hangs there, and no site lies there.");
+}
+
 Table garment_table(const pipeline::CaseResult& result) {
   const garment::Garment& garment = result.studied().mesh();
   const fabric::Material& m = result.scenario.studied().material.material;
@@ -115,7 +123,8 @@ std::string fit_section(const pipeline::CaseResult& result) {
                          " mm round, flat " + millimetres(chest.flat) + " mm: hoop strain " +
                          percent(chest.hoop_strain()) + ".");
   }
-  const std::string body = element("h2", "Body") + body_table(result).html();
+  const std::string body =
+      element("h2", "Body") + missing_in_words(result) + body_table(result).html();
   std::string html = element("div", element("div", fit) + element("div", body), "columns");
   const std::string trunk =
                         fit_plot(result, "trunk", "Trunk", "high point shoulder, over the back"),
