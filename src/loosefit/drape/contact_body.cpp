@@ -39,7 +39,8 @@ std::vector<geometry::TriangleMesh> sole_hulls(const body::Body& body, double fl
     of.emplace_back(p.x(), p.y(), floor);
   }
   std::vector<geometry::TriangleMesh> hulls;
-  for (const std::vector<Vec3>& points : sole) hulls.push_back(geometry::convex_hull(points));
+  for (const std::vector<Vec3>& points : sole)
+    if (points.size() > 3) hulls.push_back(geometry::convex_hull(points));
   return hulls;
 }
 
