@@ -4,6 +4,7 @@
 #include <random>
 
 #include "loosefit/contact/body_contact.h"
+#include "loosefit/contact/distance_field.h"
 #include "loosefit/contact/self_contact.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "support/active_set_checker.h"

@@ -1,4 +1,5 @@
 #include "loosefit/contact/body_contact.h"
+#include "loosefit/contact/distance_field.h"
 
 #include <gtest/gtest.h>
 

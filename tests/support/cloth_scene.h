@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "loosefit/contact/body_contact.h"
+#include "loosefit/contact/distance_field.h"
 #include "loosefit/fabric/bending_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/geometry/closest_point_tree.h"

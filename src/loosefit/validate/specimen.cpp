@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "loosefit/base/error.h"
+#include "loosefit/contact/distance_field.h"
 #include "loosefit/garment/assemble.h"
 #include "loosefit/solver/quasi_static.h"
 
