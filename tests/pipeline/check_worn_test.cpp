@@ -266,7 +266,7 @@ TEST_F(CheckWorn, WhatIsNotWornIsPutOnNoFurtherAndHasNoSpread) {
   for (const std::string& text : result.repeats.warnings)
     named += text.find("is not worn (the waistband has slid to the ") != std::string::npos &&
              text.find("left out") != std::string::npos;
-  EXPECT_EQ(named, 2);
+  EXPECT_EQ(named, 2) << join(result.repeats.warnings, "\n");
 }
 
 }  // namespace

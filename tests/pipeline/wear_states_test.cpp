@@ -26,6 +26,8 @@ namespace {
 
 const char* const kText =
     "[postures]\nlist = [\"standing\", \"forward-bend-15\"]\n"
+    // Cloth that is not at rest is strained beyond all that it bears.
+    "[material]\nname = \"paper-cotton\"\nvalid_strain_warp = 10\nvalid_strain_weft = 10\n"
     "[donning]\nrepeats = 2\n"
     "[[site]]\nname = \"mid\"\nlandmark = \"mid_back\"\n"
     "[[site]]\nname = \"upper\"\nlandmark = \"upper_back\"\n"

@@ -498,6 +498,7 @@ std::vector<int> pieces_of_cloth(const garment::Garment& garment) {
 }
 
 bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern) {
+  if (pattern.panels.empty()) return false;
   const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
   if (placed.empty()) return false;
   const std::vector<int> piece = pieces_of_cloth(garment);
