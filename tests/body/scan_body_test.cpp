@@ -275,6 +275,7 @@ TEST(ScanBody, TellsLimbsApartInEveryPosture) {
     spec.measurements = {{"chest", p.chest}, {"waist", p.waist}, {"hip", p.hip}};
     const BodyFit fit = fit_body(body_model(), spec);
     for (const double raised : {12., 40., 90.}) {
+      SCOPED_TRACE(::testing::Message() << p.height << " m, arms at " << raised);
       const Body known = body_model().build(fit.parameters, {radians(raised), 0, 0});
       const Body found = body_from_scan(as_scan(known), {"scan.obj", "", ""}).body;
       std::size_t same = 0, wrong_limb = 0;

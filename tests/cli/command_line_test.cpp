@@ -96,7 +96,7 @@ TEST_F(CommandLine, ErrorsOfLaterStagesNameTheScenarioLine) {
     EXPECT_FALSE(fs::exists(base / "out"));
   };
   refuse("[body]\n\nmeasurements = { chest = 0.2 }\n",
-         "case.toml:3: body.measurements.chest: found 0.2 m");
+         "case.toml:3: body.measurements.chest: found 0.2");
   refuse("[garment]\nfit = { sleeve_length = 0.25 }\n",
          "case.toml:2: garment.fit.sleeve_length: found 0.25");
   refuse("[[site]]\nname = \"s\"\nlandmark = \"c77\"\n", "case.toml:3: site[0].landmark: ");
@@ -109,7 +109,7 @@ TEST_F(CommandLine, ErrorsOfLaterStagesNameTheScenarioLine) {
 TEST_F(CommandLine, EndlessFilesAndEmptyNamesAreRefused) {
   expect_refused(loosefit("body --file /dev/zero"), "not a file");
   expect_refused(loosefit("drape /dev/zero -o " + (base / "out").string()), "not a file");
-  expect_refused(loosefit("drape " + file("case.toml", "") + " -o ''"), "empty name");
+  expect_refused(loosefit("drape " + file("case.toml", "") + " -o ''"), "an empty text");
 }
 
 TEST_F(CommandLine, BodyAndPatternLeaveTheOutputOfARunAlone) {

@@ -85,7 +85,7 @@ TEST_F(PatternCommand, ToldOfAnotherKindOfFile) {
   EXPECT_NE(run.output.find("shirt.pdf: found a PDF document, expected GarmentCode JSON"),
             std::string::npos)
       << run.output;
-  EXPECT_NE(run.output.find("hint: patterns are read from GarmentCode JSON"), std::string::npos);
+  EXPECT_NE(run.output.find("patterns are read from GarmentCode JSON"), std::string::npos);
   file("shirt.dxf", "  0\nSECTION\n  2\nBLOCKS\n");
   const ProgramRun scenario =
       pattern("--scenario " + file("case.toml", "[garment]\npattern = \"shirt.dxf\"\n"));

@@ -263,7 +263,7 @@ TEST_F(PeopleFile, OfLengthsInAnotherUnitIsRefusedWithAHint) {
                 ":2: height: found \"168\", expected metres from 0.7 to 2.3; "
                 "lengths are in metres: 168 cm is 1.68");
   expect_refused("name,height,chest\nA,1.68,880\n",
-                 ":2: chest: found \"880\", expected metres from 0.08 to 2; "
+                 ":2: chest: found \"880\", expected metres from 0.35 to 1.8; "
                  "lengths are in metres: 880 mm is 0.88");
   expect_refused("name,height\nA,0.2\n", ":2: height: found \"0.2\", expected metres from 0.7");
   EXPECT_EQ(complaint("name,height\nA,0.2\n").find("cm"), std::string::npos);

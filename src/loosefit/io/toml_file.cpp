@@ -97,7 +97,7 @@ std::string syntax_hint(const std::string& text, int line) {
 
 std::string read_toml_text(const std::string& path) {
   const std::string text = read_plain_text(path, kMaxBytes);
-  refuse_other_kinds(text, path, kExpected, {"a TOML file"}, kHint);
+  refuse_other_kinds(text, path, kExpected, {"a TOML file", "an empty file"}, kHint);
   return text;
 }
 

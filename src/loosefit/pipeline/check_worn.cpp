@@ -46,6 +46,8 @@ std::vector<std::string> reasons(const std::vector<drape::Drape>& drapes,
     for (const std::string& reason : overstrained(garments[g].mesh(), pattern, drapes[g].positions,
                                                   scenario.garments[g].material.material, body))
       own.push_back(reason);
+    if (drapes[g].certificate.reason == drape::StopReason::slides_down)
+      own.push_back("it slides down the body and nothing holds it");
     for (const std::string& reason : own) all.push_back(of_garment(reason, g, garments));
   }
   return all;
