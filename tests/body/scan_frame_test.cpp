@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "loosefit/base/error.h"
 #include "loosefit/body/body_fit.h"
 #include "support/body_fixture.h"
 
@@ -54,6 +55,24 @@ TEST(ScanFrame, AStatedUnitThatMakesFewPeopleIsTold) {
   EXPECT_NE(warnings[0].find("a height of 0.66 m is that of few people"), std::string::npos)
       << warnings[0];
   EXPECT_NE(warnings[0].find("1.68 m if these are in"), std::string::npos) << warnings[0];
+}
+
+TEST(ScanFrame, StatedUnitsAreBelievedAsFarAsAnybodyEverStood) {
+  const Body known = body_model().build(fit_body(body_model(), {}).parameters, {radians(30), 0, 0});
+  EXPECT_FALSE(metres_of("ft"));
+  for (const char* unit : {"m", "cm", "mm", "in"})
+    for (const double stature : {0.98 * kShortestPerson, 1.02 * kShortestPerson,
+                                 0.98 * kTallestPerson, 1.02 * kTallestPerson}) {
+      geometry::TriangleMesh mesh = known.surface;
+      for (Vec3& p : mesh.vertices)
+        p *= stature / known.measured.at("height") / metres_of(unit).value();
+      std::vector<std::string> warnings;
+      const auto stand = [&] { stand_in_our_frame(mesh, {"scan.obj", unit, "z"}, warnings); };
+      if (stature > kShortestPerson && stature < kTallestPerson)
+        EXPECT_NO_THROW(stand()) << stature << ' ' << unit;
+      else
+        EXPECT_THROW(stand(), InvalidInput) << stature << ' ' << unit;
+    }
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "loosefit/contact/body_contact.h"
-#include "loosefit/contact/distance_field.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "loosefit/contact/distance_field.h"
 #include "loosefit/geometry/closest_point_tree.h"
 #include "support/law_checker.h"
 #include "support/shapes.h"

@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "loosefit/body/floor_under.h"
+#include "loosefit/body/lay_person.h"
+#include "loosefit/body/missing_limbs.h"
+#include "loosefit/body/stumps.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/garment/hierarchy.h"
+#include "support/cut_scan.h"
 #include "support/sewn_garments.h"
 #include "support/shirt_on_body.h"
 
@@ -19,6 +24,24 @@ body::Body without_floor() {
   for (body::Segment& segment : body.segment)
     if (segment == body::Segment::foot) segment = body::Segment::shank;
   return body;
+}
+
+/// The same woman without her left foot.
+body::Body on_one_foot() {
+  const body::BodyModel& model = body_model();
+  body::PosedPerson person;
+  person.parameters = support::adult_parameters();
+  const body::Posture posture{radians(40), 0, 0};
+  person.rotations =
+      body::posture_rotations(model.data(), model.rest(person.parameters).joints, posture);
+  double floor = 0;
+  for (const Vec3& p : body::lay(model, person).surface) floor = std::min(floor, p.z());
+  person.place.translation() = Vec3(0, 0, -floor);
+  const auto scan =
+      support::cut_limb(model.build(person), support::cut_of(body::Segment::shank, 0.9), 1);
+  person.parameters.stumps = std::make_shared<const body::Stumps>(
+      body::lay(model, person), person.place, body::missing_limbs(model, person, scan));
+  return model.build(person.parameters, posture);
 }
 
 Drape draped(const pattern::Pattern& pattern, const body::Body& body,
@@ -69,6 +92,40 @@ TEST(FloorUnderCloth, WhatNeverReachesItHasTheSameBitsAsWithoutIt) {
   for (std::size_t i = 0; i < with.positions.size(); ++i)
     ASSERT_EQ(with.positions[i], without.positions[i]) << i;
   EXPECT_EQ(with.certificate.residual, without.certificate.residual);
+}
+
+TEST(FloorUnderCloth, ASkirtLiesOnItRoundOneFoot) {
+  const body::Body body = on_one_foot();
+  ASSERT_TRUE(body.joints.contains("leg_end_L"));
+  ASSERT_FALSE(body.joints.contains("leg_end_R"));
+  const std::optional<double> floor = body::floor_under(body);
+  ASSERT_TRUE(floor);
+  const testing_support::Levels levels = testing_support::levels_of(woman());
+  const pattern::Pattern pattern =
+      testing_support::skirt(levels, 0.98, 1.3, levels.waist_height + 0.2, 2);
+  const Drape drape = draped(pattern, body);
+  EXPECT_TRUE(drape.certificate.settled())
+      << drape.certificate.stop_reason << (drape.unsettled ? drape.unsettled->why : "");
+  EXPECT_GE(lowest(drape), *floor);
+  EXPECT_GT(drape.report.floor_force, 1e-3);
+  EXPECT_LT(drape.report.floor_force, garment_weight(pattern));
+}
+
+TEST(FloorUnderCloth, TrousersThatAreTooLongLieOnIt) {
+  pattern::Pattern pattern =
+      testing_support::trousers(testing_support::levels_of(woman()), 0.98, 1.2);
+  for (pattern::Panel& panel : pattern.panels) {
+    double hem = 0;
+    for (const Vec2& p : panel.vertices) hem = std::min(hem, p.y());
+    for (Vec2& p : panel.vertices)
+      if (p.y() == hem) p.y() -= 0.2;
+  }
+  const Drape drape = draped(pattern, woman());
+  EXPECT_TRUE(drape.certificate.settled())
+      << drape.certificate.stop_reason << (drape.unsettled ? drape.unsettled->why : "");
+  EXPECT_GE(lowest(drape), 0);
+  EXPECT_GT(drape.report.floor_force, 1e-3);
+  EXPECT_LT(drape.report.floor_force, garment_weight(pattern));
 }
 
 }  // namespace

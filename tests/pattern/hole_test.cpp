@@ -118,5 +118,59 @@ TEST(PanelHole, OneThatTouchesTheOutlineOrAnotherIsRefusedByName) {
   }
 }
 
+TEST(PanelHole, SlotsThatCrossAreRefusedThoughNoCornerIsInTheOther) {
+  const std::vector<Vec2> outline = outline_polygon(rectangle(0.6, 0.8));
+  for (const double half : {0.06, 0.12}) {
+    const auto slot = [&](const char* name, double x, double y) {
+      return PanelHole{
+          name, {{0.3 - x, 0.4 - y}, {0.3 + x, 0.4 - y}, {0.3 + x, 0.4 + y}, {0.3 - x, 0.4 + y}}};
+    };
+    const std::string fault =
+        hole_fault(slot("across", half, 0.02), outline, {slot("upright", 0.02, half)});
+    EXPECT_NE(fault.find("\"upright\""), std::string::npos) << fault;
+  }
+}
+
+TEST(PanelHole, HolesThatMeetAtCoarseEdgesAreRefusedByName) {
+  Pattern pattern;
+  Panel panel = rectangle(0.6, 0.8);
+  PanelHole ring{"ring", {}};  // most of one, round a disc
+  for (int i = 0; i <= 60; ++i) {
+    const double turn = radians(30 + 5 * i);
+    ring.points.push_back(Vec2(0.3, 0.4) + 0.07 * Vec2(std::cos(turn), std::sin(turn)));
+  }
+  for (int i = 60; i >= 0; --i) {
+    const double turn = radians(30 + 5 * i);
+    ring.points.push_back(Vec2(0.3, 0.4) + 0.05 * Vec2(std::cos(turn), std::sin(turn)));
+  }
+  panel.holes = {ring, ellipse("disc", {0.3, 0.4}, 0.045, 0.045)};
+  pattern.panels = {panel};
+  check_pattern(pattern);
+  EXPECT_EQ(rims(mesh_panel(panel, edge_divisions(pattern, 0.01)[0], 0.01)), 3u);
+  try {
+    mesh_panel(panel, edge_divisions(pattern, 0.08)[0], 0.08);
+    FAIL() << "holes that cross were meshed";
+  } catch (const GeometryError& error) {
+    EXPECT_NE(std::string(error.what()).find("hole disc"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("\"ring\""), std::string::npos) << error.what();
+  }
+}
+
+TEST(PanelHole, OneTooSmallForAMeshIsRefused) {
+  const std::vector<Vec2> outline = outline_polygon(rectangle(0.6, 0.8));
+  EXPECT_EQ(hole_fault(ellipse("b", {0.3, 0.4}, 0.0115, 0.0115), outline, {}), "");
+  EXPECT_NE(hole_fault(ellipse("b", {0.3, 0.4}, 0.011, 0.011), outline, {}).find("4 cm2"),
+            std::string::npos);
+}
+
+TEST(PanelHole, NamesAreGivenOnce) {
+  std::vector<PanelHole> holes;
+  for (const char* wished : {"", "neck", "neck", "", "neck 2"})
+    holes.push_back({free_hole_name(wished, holes), {}});
+  std::vector<std::string> names;
+  for (const PanelHole& hole : holes) names.push_back(hole.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"hole", "neck", "neck 2", "hole 2", "neck 2 2"}));
+}
+
 }  // namespace
 }  // namespace loosefit::pattern

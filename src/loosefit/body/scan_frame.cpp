@@ -20,9 +20,8 @@ struct Unit {
 constexpr std::array<Unit, 4> kUnits = {{{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}}};
 
 /// Who is taken for a standing person unasked: from toddlers, whom no other unit makes an adult, to
-/// the tallest. What the user says is believed as far as anybody ever stood.
+/// the tallest [m].
 constexpr double kLikelyShortest = 0.75, kLikelyTallest = 2.3;
-constexpr double kShortest = 0.5, kTallest = 2.75;  // [m]
 
 struct Box {
   Vec3 lower = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -51,21 +50,20 @@ double metres_per_unit(double stature, const ScanOptions& options,
                        std::vector<std::string>& warnings) {
   const InputPlace place{options.file, 0, "units"};
   if (!options.units.empty()) {
-    for (const auto& unit : kUnits) {
-      if (options.units != unit.name) continue;
-      const double metres = stature * unit.metres;
-      if (metres >= kLikelyShortest && metres <= kLikelyTallest) return unit.metres;
-      if (metres >= kShortest && metres <= kTallest) {
-        warnings.push_back(fmt::format("a height of {:.3g} m is that of few people: it would be {}",
-                                       metres, heights(stature)));
-        return unit.metres;
-      }
-      throw InvalidInput(
-          place, fmt::format("a height of {:.3g} m with units = \"{}\"", metres, options.units),
-          fmt::format("a standing person of {:g} to {:g} m", kShortest, kTallest),
-          "the height would be " + heights(stature));
+    const std::optional<double> unit = metres_of(options.units);
+    if (!unit)
+      throw InvalidInput(place, "units \"" + printable(options.units) + "\"", "m, cm, mm or in");
+    const double metres = stature * *unit;
+    if (metres >= kLikelyShortest && metres <= kLikelyTallest) return *unit;
+    if (metres >= kShortestPerson && metres <= kTallestPerson) {
+      warnings.push_back(fmt::format("a height of {:.3g} m is that of few people: it would be {}",
+                                     metres, heights(stature)));
+      return *unit;
     }
-    throw InvalidInput(place, "units \"" + printable(options.units) + "\"", "m, cm, mm or in");
+    throw InvalidInput(
+        place, fmt::format("a height of {:.3g} m with units = \"{}\"", metres, options.units),
+        fmt::format("a standing person of {:g} to {:g} m", kShortestPerson, kTallestPerson),
+        "the height would be " + heights(stature));
   }
   std::vector<Unit> likely;
   for (const auto& unit : kUnits) {
@@ -196,6 +194,12 @@ Vec3 shift_to_origin(const geometry::TriangleMesh& mesh) {
 }
 
 }  // namespace
+
+std::optional<double> metres_of(const std::string& unit) {
+  for (const Unit& known : kUnits)
+    if (unit == known.name) return known.metres;
+  return {};
+}
 
 RigidMotion stand_in_our_frame(geometry::TriangleMesh& mesh, const ScanOptions& options,
                                std::vector<std::string>& warnings) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -6,6 +7,12 @@
 #include "loosefit/geometry/triangle_mesh.h"
 
 namespace loosefit::body {
+
+/// Statures that are believed where somebody says the unit [m]: as far as anybody ever stood.
+inline constexpr double kShortestPerson = 0.5, kTallestPerson = 2.75;
+
+/// Metres of a unit "m", "cm", "mm" or "in"; nothing for other texts.
+std::optional<double> metres_of(const std::string& unit);
 
 /// What the user knows of a scanned surface; empty texts are inferred with a warning.
 struct ScanOptions {

@@ -147,8 +147,8 @@ void require_arms(const ScanLimbs& limbs, double height) {
         "...)");
   if (!limbs.arm[0].found() && !limbs.arm[1].found())
     throw GeometryError(
-        "found no arms that are free of the trunk (a trunk alone, or limbs that have grown together "
-        "with it)",
+        "found no arms that are free of the trunk (a trunk alone, or limbs that have grown "
+        "together with it)",
         kHowToStand);
   for (const std::size_t side : {std::size_t(0), std::size_t(1)}) {
     const LimbChain& arm = limbs.arm[side];

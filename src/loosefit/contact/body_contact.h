@@ -39,8 +39,9 @@ std::vector<ContactPoint> contact_points(const std::vector<Triangle>& triangles,
                                          double offset);
 
 /// Unilateral contact of the cloth with a surface that is not cloth, the skin or the floor: a
-/// penalty on the signed distance to it. The cloth is a layer of finite thickness o (the offset) that can be compressed and hardens: with d
-/// the distance of its mid-surface to the skin and the compression δ = (o − d)₊ the pressure is
+/// penalty on the signed distance to it. The cloth is a layer of finite thickness o (the offset)
+/// that can be compressed and hardens: with d the distance of its mid-surface to the skin and the
+/// compression δ = (o − d)₊ the pressure is
 ///
 ///   p = k δ + (20 k/o) u²/(1 − u/(0.4 o))³,  u = (δ − 0.6 o)₊               [Pa], k [Pa/m]
 ///

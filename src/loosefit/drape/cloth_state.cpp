@@ -44,9 +44,8 @@ ClothState::ClothState(const std::vector<ClothLayer>& cloth, const DrapeOptions&
       throw InvalidInput("garments worn over each other need meshes of the same levels");
   tuning.validate();
   for (const ClothLayer& layer : layers)
-    under_soles_.push_back(
-        !layer.garment->levels.empty() &&
-        goes_under_soles(layer.garment->levels.front(), layer.garment->pattern));
+    under_soles_.push_back(!layer.garment->levels.empty() &&
+                           goes_under_soles(layer.garment->levels.front(), layer.garment->pattern));
 }
 
 std::vector<const garment::Garment*> ClothState::garments() const {

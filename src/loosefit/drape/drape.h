@@ -16,7 +16,7 @@ namespace loosefit::drape {
 /// Proof that a drape is at rest and worn, or why it is not (docs/theory/solver.md 1).
 struct Certificate {
   double residual = 1;  ///< ‖F‖₂ / ‖W‖₂ over free particles, W of the cloth alone [–]
-  double residual_max = 1;       ///< max ‖F_i‖ / mean ‖W_i‖ [–]
+  double residual_max = 1;  ///< max ‖F_i‖ / mean ‖W_i‖ [–]
   /// Triangle pairs, exact test, and triangles that reach below the floor; -1 = not tested.
   int intersections_body = -1;
   int intersections_self = -1;   ///< the same, and folded edges

@@ -22,11 +22,11 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kNeck = 0.88;   ///< of stature, above which nothing of a wearer begins
-constexpr double kNear = 0.5;    ///< to a limb beside which a piece lies, arms raised or not [m]
-constexpr double kAside = 0.04;  ///< from the middle of the body, beside it [m]
-constexpr double kFoot = 0.12;   ///< height of a foot [m]
-constexpr double kFace = 0.04;   ///< of stature, from the neck's joint up to the chin
+constexpr double kNeck = 0.88;    ///< of stature, above which nothing of a wearer begins
+constexpr double kNear = 0.5;     ///< to a limb beside which a piece lies, arms raised or not [m]
+constexpr double kAside = 0.04;   ///< from the middle of the body, beside it [m]
+constexpr double kFoot = 0.12;    ///< height of a foot [m]
+constexpr double kFace = 0.04;    ///< of stature, from the neck's joint up to the chin
 constexpr double kNoHand = 0.08;  ///< girth that no hand goes through [m]
 constexpr double kBeside = 0.1;   ///< of the garment's width: farther from its middle is beside it
 constexpr double kOffCentre = 0.25;   ///< of an opening's own width, likewise

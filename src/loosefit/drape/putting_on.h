@@ -33,8 +33,7 @@ struct PuttingOn {
 /// * the chest through the hem of a top, unless the hips pass its neck.
 ///
 /// Chest and hips give way by 3 %. Openings of unknown use and hems of capes are not asked; cloth
-/// that has none but unknown ones is not judged. A body
-/// without joints is judged nowhere.
+/// that has none but unknown ones is not judged. A body without joints is judged nowhere.
 PuttingOn putting_on(const std::vector<Rim>& rims, const body::PassingGirths& girths,
                      const fabric::Material& material);
 

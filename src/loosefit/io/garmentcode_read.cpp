@@ -17,6 +17,7 @@
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/recognise.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/pattern_check.h"
 
 namespace loosefit::io {
@@ -179,7 +180,7 @@ pattern::Panel read_panel(const std::string& name, const Node& node, const FileR
     for (std::size_t i = 0; i < holes.value.size(); ++i) {
       const Node hole = holes.item(i).object();
       const Node points = hole.at("points").array(3, kMostEdges);
-      panel.holes.push_back({hole.optional_text("name"), {}});
+      panel.holes.push_back({pattern::free_hole_name(hole.optional_text("name"), panel.holes), {}});
       for (std::size_t k = 0; k < points.value.size(); ++k)
         panel.holes.back().points.push_back(points.item(k).pair() * rules.metre);
     }

@@ -18,12 +18,14 @@ namespace {
 constexpr int kMostDivisions = 20000;  // of one edge
 constexpr double kMostVertices = 4e6;  // of the whole mesh
 
+/// Whether a mesh can fill the divided outline. Holes that meet as divided are refused by
+/// mesh_panel: more points of the outline do not part them.
 bool usable(const Panel& panel, const std::vector<int>& divisions, double edge_length) {
   const std::vector<Vec2> polygon = divided_outline(panel, divisions);
   return polygon.size() >= 3 && signed_area(polygon) > 0 &&
          first_self_crossing(polygon).first < 0 &&
          std::all_of(panel.holes.begin(), panel.holes.end(), [&](const PanelHole& hole) {
-           return hole_fault({hole.name, divided_hole(hole, edge_length).points}, polygon, {})
+           return hole_place_fault({hole.name, divided_hole(hole, edge_length).points}, polygon, {})
                .empty();
          });
 }

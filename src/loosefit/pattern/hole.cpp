@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kCorner = 40;      // a rim turns by more at a corner [degrees]
 constexpr double kLeastRim = 1e-3;  // between a hole and what is next to it [m]
+constexpr double kSmallest = 4e-4;  // the mesh of a garment has no room for less [m²]
 constexpr int kLeastSegments = 8;
 constexpr int kMostHalvings = 8;
 
@@ -53,8 +54,9 @@ DividedHole divided_at(const PanelHole& hole, double edge_length) {
   return divided;
 }
 
-/// Least distance between two closed lines that do not cross.
+/// Least distance between two closed lines.
 double gap_between(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  if (polygons_meet(a, b)) return 0;
   double least = 1e9;
   for (const Vec2& p : a) least = std::min(least, (closest_on_polygon(b, p) - p).norm());
   for (const Vec2& p : b) least = std::min(least, (closest_on_polygon(a, p) - p).norm());
@@ -86,6 +88,14 @@ DividedHole divided_hole(const PanelHole& hole, double edge_length) {
 
 std::string hole_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
                        const std::vector<PanelHole>& others) {
+  std::string fault = hole_place_fault(hole, outline, others);
+  if (const double area = std::abs(signed_area(hole.points)); fault.empty() && area < kSmallest)
+    fault = fmt::format("it has {:.2g} cm2, less than 4 cm2", 1e4 * area);
+  return fault;
+}
+
+std::string hole_place_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
+                             const std::vector<PanelHole>& others) {
   if (hole.points.size() < 3 || first_self_crossing(hole.points).first >= 0)
     return "its line is not simple";
   const auto inside = std::count_if(hole.points.begin(), hole.points.end(),
@@ -103,6 +113,14 @@ std::string hole_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
         gap_between(hole.points, other.points) < kLeastRim)
       return "it touches or crosses the hole \"" + other.name + '"';
   return {};
+}
+
+std::string free_hole_name(const std::string& wished, const std::vector<PanelHole>& others) {
+  const std::string base = wished.empty() ? "hole" : wished;
+  std::string name = base;
+  const auto taken = [&](const PanelHole& other) { return other.name == name; };
+  for (int k = 2; std::ranges::any_of(others, taken); ++k) name = fmt::format("{} {}", base, k);
+  return name;
 }
 
 std::vector<PanelHole> mirrored_holes(std::vector<PanelHole> holes) {

@@ -24,11 +24,18 @@ Vec2 point_on_rim(const PanelHole& hole, double along);
 /// Length of the rim [m].
 double rim_length(const PanelHole& hole);
 
-/// Why a hole cannot be cut into an outline that has the others already: it is no simple line of
-/// three points or more, it does not lie in the outline, or it comes nearer than 1 mm to the
-/// outline or to another hole. Empty: it can.
+/// Why a hole cannot be cut into an outline that has the others already: its area is below 4 cm²,
+/// or hole_place_fault. Empty: it can.
 std::string hole_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
                        const std::vector<PanelHole>& others);
+/// The same of a hole of any size: it is no simple line of three points or more, it does not lie in
+/// the outline, or it comes nearer than 1 mm to the outline or to another hole.
+std::string hole_place_fault(const PanelHole& hole, const std::vector<Vec2>& outline,
+                             const std::vector<PanelHole>& others);
+
+/// A name that none of the others has: the wished one ("hole" for an empty text), else with the
+/// first free number behind it.
+std::string free_hole_name(const std::string& wished, const std::vector<PanelHole>& others);
 
 /// The holes under x → −x, counter-clockwise again.
 std::vector<PanelHole> mirrored_holes(std::vector<PanelHole> holes);

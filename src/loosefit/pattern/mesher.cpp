@@ -273,13 +273,16 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
                         "a simple outline");
 
   Rims rims{outline};
+  std::vector<PanelHole> cut;
   PanelMesh mesh;
   for (const PanelHole& hole : panel.holes) {
     DividedHole divided = divided_hole(hole, edge_length);
-    if (const std::string fault = hole_fault({hole.name, divided.points}, outline, {});
-        !fault.empty())
+    const PanelHole as_divided{hole.name, divided.points};
+    if (const std::string fault = hole_place_fault(as_divided, outline, cut); !fault.empty())
       throw GeometryError(InputPlace{{}, 0, "panel " + panel.name + " hole " + hole.name}, fault,
-                          "a hole within the outline", "take a smaller edge_length");
+                          "a hole within the outline, apart from it and from other holes",
+                          "take a smaller edge_length");
+    cut.push_back(as_divided);
     std::vector<int> chain(divided.points.size());
     std::iota(chain.begin(), chain.end(), points_of(rims));
     mesh.holes.push_back({std::move(chain), std::move(divided.along)});

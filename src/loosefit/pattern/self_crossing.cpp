@@ -51,4 +51,11 @@ std::pair<int, int> first_self_crossing(const std::vector<Vec2>& polygon) {
   return {-1, -1};
 }
 
+bool polygons_meet(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (sides_meet(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()])) return true;
+  return false;
+}
+
 }  // namespace loosefit::pattern

@@ -10,4 +10,7 @@ namespace loosefit::pattern {
 /// simple.
 std::pair<int, int> first_self_crossing(const std::vector<Vec2>& polygon);
 
+/// Whether a side of one polygon crosses or touches a side of the other.
+bool polygons_meet(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
+
 }  // namespace loosefit::pattern

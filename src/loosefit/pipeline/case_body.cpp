@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/body/scan_body.h"
+#include "loosefit/body/scan_frame.h"
 #include "loosefit/body/scan_person.h"
 #include "loosefit/dress/no_room.h"
 #include "loosefit/flesh/soft_body.h"
@@ -92,16 +93,12 @@ std::string lean_in_words(double bend) {
 
 /// The unit that a file states, if a person of it can stand there; empty otherwise.
 std::string unit_of_file(const io::MeshFile& file, std::vector<std::string>& warnings) {
-  constexpr double kShortest = 0.5, kTallest = 2.75;  // as what a user says (body/scan_frame.cpp)
-  if (file.units.empty()) return {};
-  const double metre = file.units == "m"    ? 1
-                       : file.units == "cm" ? 0.01
-                       : file.units == "mm" ? 0.001
-                                            : 0.0254;
+  const std::optional<double> metre = body::metres_of(file.units);
+  if (!metre) return {};
   Vec3 low = Vec3::Constant(1e300), high = -low;
   for (const Vec3& p : file.mesh.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const double stature = (high - low).maxCoeff() * metre;
-  const bool stands = stature >= kShortest && stature <= kTallest;
+  const double stature = (high - low).maxCoeff() * *metre;
+  const bool stands = stature >= body::kShortestPerson && stature <= body::kTallestPerson;
   warnings.push_back(fmt::format(
       "units: the file says {}, in which it is {:.3g} m tall{}", file.units, stature,
       stands ? "; taken so (body.units or --units says otherwise)" : ", as nobody is: not taken"));

@@ -30,9 +30,9 @@ const std::vector<GlossaryTerm>& glossary() {
       {"worn", "Worn",
        "Every limb goes through its opening, and no opening has left its place on the body."},
       {"can-be-put-on", "Can be put on",
-       "Whether each opening, with its cloth as long as it is known to give, lets pass what has to: "
-       "head, hands, heels, chest or hips. A pattern does not tell zips and buttons: a garment that "
-       "needs one is worn all the same. (docs/outputs.md.)"},
+       "Whether each opening, with its cloth as long as it is known to give, lets pass what has "
+       "to: head, hands, heels, chest or hips. A pattern does not tell zips and buttons: a "
+       "garment that needs one is worn all the same. (docs/outputs.md.)"},
       {"stopped", "Stopped", "Why the solver ended: converged, or what ran out."},
       {"iterations", "Iterations", "Newton steps of all parts of the run, on all meshes."},
       {"line-elongation", "Elongation of a line",

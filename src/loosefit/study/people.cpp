@@ -293,8 +293,7 @@ std::vector<Person> read_people_csv(const fs::path& path) {
       } else if (name == "age") {
         person.age = number_of(fields[i], io::age_range(), 1, place);
       } else if (name == "height" || !fields[i].empty()) {
-        person.measures[name] =
-            number_of(fields[i], io::measure_range(name), unit, place);
+        person.measures[name] = number_of(fields[i], io::measure_range(name), unit, place);
       }
     }
     if (person.name.empty() || !names.insert(person.name).second)

@@ -111,10 +111,9 @@ struct Extent {
   Vec2 low = Vec2::Constant(1e9), high = Vec2::Constant(-1e9);
 };
 
-Extent extent_of(const pattern::Panel& panel) {
+Extent extent_of(const std::vector<Vec2>& line) {
   Extent e;
-  for (const Vec2& p : pattern::outline_polygon(panel))
-    e.low = e.low.cwiseMin(p), e.high = e.high.cwiseMax(p);
+  for (const Vec2& p : line) e.low = e.low.cwiseMin(p), e.high = e.high.cwiseMax(p);
   return e;
 }
 
@@ -137,19 +136,17 @@ Vec2 middle_of(const std::vector<Vec2>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// The longest part within the piece of the vertical line through its middle, a little shortened.
-std::pair<Vec2, Vec2> grain_in(const pattern::Panel& panel, const Extent& extent) {
+/// The longest part, within closed lines, of the vertical line through the middle of their extent.
+std::pair<Vec2, Vec2> longest_upright(const std::vector<std::vector<Vec2>>& lines) {
+  const Extent extent = extent_of(lines.front());
   const double x = 0.5 * (extent.low.x() + extent.high.x());
   std::vector<double> crossings;
-  const auto cross = [&](const std::vector<Vec2>& line) {
+  for (const std::vector<Vec2>& line : lines)
     for (std::size_t i = 0; i < line.size(); ++i) {
       const Vec2 &a = line[i], &b = line[(i + 1) % line.size()];
       if ((a.x() > x) == (b.x() > x)) continue;
       crossings.push_back(a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
     }
-  };
-  cross(pattern::outline_polygon(panel));
-  for (const pattern::PanelHole& hole : panel.holes) cross(hole.points);
   std::sort(crossings.begin(), crossings.end());
   double low = extent.low.y(), high = extent.high.y(), longest = 0;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
@@ -157,8 +154,24 @@ std::pair<Vec2, Vec2> grain_in(const pattern::Panel& panel, const Extent& extent
       longest = crossings[i + 1] - crossings[i];
       low = crossings[i], high = crossings[i + 1];
     }
-  const double margin = 0.2 * (high - low);
-  return {Vec2(x, low + margin), Vec2(x, high - margin)};
+  return {Vec2(x, low), Vec2(x, high)};
+}
+
+/// Where the grain line goes: there, a little shortened.
+std::pair<Vec2, Vec2> grain_in(const pattern::Panel& panel) {
+  std::vector<std::vector<Vec2>> lines{pattern::outline_polygon(panel)};
+  for (const pattern::PanelHole& hole : panel.holes) lines.push_back(hole.points);
+  const auto [low, high] = longest_upright(lines);
+  const Vec2 margin = 0.2 * (high - low);
+  return {low + margin, high - margin};
+}
+
+/// A place in a hole for its name: its middle, or beside it where a hole bends round that.
+Vec2 place_in(const std::vector<Vec2>& hole) {
+  const Vec2 middle = middle_of(hole);
+  if (pattern::inside_polygon(hole, middle)) return middle;
+  const auto [low, high] = longest_upright({hole});
+  return 0.5 * (low + high);
 }
 
 }  // namespace
@@ -190,7 +203,7 @@ std::string dxf_text(const pattern::Pattern& pattern, const std::vector<pattern:
   double right = 0;
   for (const int p : order) {
     const pattern::Panel& panel = pattern.panels[p];
-    const Extent extent = extent_of(panel);
+    const Extent extent = extent_of(pattern::outline_polygon(panel));
     const Vec2 shift(right - extent.low.x(), -extent.low.y());
     right += extent.high.x() - extent.low.x() + kBetween;
     const auto placed = [&](const Vec2& q) -> Vec2 { return kMillimetre * (q + shift); };
@@ -217,10 +230,8 @@ std::string dxf_text(const pattern::Pattern& pattern, const std::vector<pattern:
     // A text in a cutout names it.
     for (const pattern::PanelHole& hole : panel.holes) {
       out.polyline(11, all_placed(hole.points), true);
-      const Vec2 middle = middle_of(hole.points);
       const bool says_hole = pattern::words_of(hole.name).hole;
-      if (pattern::inside_polygon(hole.points, middle))
-        out.text(11, placed(middle), (says_hole ? "" : "hole ") + one_line(hole.name));
+      out.text(11, placed(place_in(hole.points)), (says_hole ? "" : "hole ") + one_line(hole.name));
     }
     for (const pattern::PanelEdge& edge : panel.edges) {
       out.entity("POINT", 2);
@@ -232,7 +243,7 @@ std::string dxf_text(const pattern::Pattern& pattern, const std::vector<pattern:
       out.at(placed(pattern::EdgePath(panel, notch.edge).at(notch.along)));
       out.number(30, kNotchDepth);
     }
-    const auto [from, to] = grain_in(panel, extent);
+    const auto [from, to] = grain_in(panel);
     out.line(7, placed(from), placed(to));
     for (const PatternMark& mark : marks) {
       if (mark.panel != panel.name) continue;

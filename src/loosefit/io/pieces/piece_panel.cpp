@@ -16,8 +16,7 @@
 namespace loosefit::io {
 namespace {
 
-constexpr double kNotchReach = 0.03;    // from a notch to the outline: a wide allowance [m]
-constexpr double kSmallestHole = 4e-4;  // smaller ones the mesh of a garment has no room for [m²]
+constexpr double kNotchReach = 0.03;  // from a notch to the outline: a wide allowance [m]
 
 pattern::Panel panel_of(const Outline& loop) {
   pattern::Panel panel;
@@ -77,18 +76,13 @@ void cut_holes(std::vector<pattern::PanelHole> holes, PiecePanel& result) {
                           kMostOutlinePoints);
     else if (hole.points.size() < 3)
       fault = "its line encloses nothing";
-    else if (const double area = pattern::signed_area(hole.points); area < kSmallestHole)
-      fault = fmt::format("it has {:.2g} cm2, less than 4 cm2", 1e4 * area);
     else
       fault = pattern::hole_fault(hole, outline, cut);
     if (!fault.empty()) {
       result.notes.push_back("its hole \"" + printable(hole.name) + "\" is not cut: " + fault);
       continue;
     }
-    const std::string name = hole.name;
-    const auto taken = [&](const pattern::PanelHole& other) { return other.name == hole.name; };
-    for (int k = 2; std::any_of(cut.begin(), cut.end(), taken); ++k)
-      hole.name = fmt::format("{} {}", name, k);
+    hole.name = pattern::free_hole_name(hole.name, cut);
     cut.push_back(std::move(hole));
   }
 }
