@@ -137,17 +137,6 @@ TEST(Worn, AnEmptySleeveOfWhomLacksTheArmButNotOfWhomLacksTheHand) {
   }
 }
 
-TEST(Openings, NarrowCuffsOfAKindAreKnown) {
-  body::Body narrow = woman().body();
-  narrow.measured["wrist"] = 0.05;
-  const Sewn small(support::shirt_for(narrow, 0.2));
-  double least = 1;
-  for (const drape::Opening& o : drape::garment_openings(small.mesh(), small.pattern))
-    least = std::min(least, o.girth);
-  EXPECT_LT(least, 0.08);
-  EXPECT_EQ(uses(small), uses(shirt()));
-}
-
 TEST(Worn, ASleeveThatIsLongerThanItsArm) {
   std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   const Vec3 elbow = woman()->joints.at("elbow_L"), wrist = woman()->joints.at("wrist_L");
