@@ -103,5 +103,24 @@ TEST(PassingGirths, OfALimbThatIsMissingAreAbsent) {
   EXPECT_FALSE(girths.hand[1]);
 }
 
+TEST(PassingGirths, OfALimbThatEndsEarlierNothingHasToPass) {
+  for (const int side : {0, 1}) {
+    support::StickPerson person;
+    const std::string s = side == 0 ? "_L" : "_R";
+    // The skin of the limb is far from where its joints are.
+    for (const char* joint : {"elbow", "wrist"}) person.body.joints[joint + s].x() += 3;
+    EXPECT_FALSE(passing_girths(person.body).hand[side]);
+    person.body.joints["arm_end" + s] = person.body.joints["shoulder" + s];
+    EXPECT_EQ(passing_girths(person.body).hand[side], 0.0);
+    EXPECT_GT(passing_girths(person.body).hand[1 - side].value(), 0.1);
+    for (std::size_t v = 0; v < person.body.segment.size(); ++v)
+      if (person.body.segment[v] == Segment::foot && (person.body.side[v] > 0) == (side == 0))
+        person.body.segment[v] = Segment::shank;
+    EXPECT_FALSE(passing_girths(person.body).foot[side]);
+    person.body.joints["leg_end" + s] = person.body.joints["knee" + s];
+    EXPECT_EQ(passing_girths(person.body).foot[side], 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace loosefit::body

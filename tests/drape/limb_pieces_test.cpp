@@ -5,6 +5,8 @@
 #include "loosefit/base/error.h"
 #include "loosefit/drape/arrange_panels.h"
 #include "loosefit/drape/phases/sew_on.h"
+#include "loosefit/drape/worn.h"
+#include "loosefit/drape/worn_way.h"
 #include "loosefit/garment/assemble.h"
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
@@ -32,7 +34,8 @@ void stand_beside(pattern::Panel& panel, double outwards, const Vec3& at) {
 /// Two sides of a foot, sewn all round but for the top, on the left (1) or right (−1) of the
 /// wearer, `apart` from the middle of the foot at x = side · `beside`.
 pattern::Pattern sock(int side, double beside, double apart, double height, double length) {
-  const double back = 0.065, front = length - back, wide = 0.15, toe = 0.06, instep = 0.12;
+  const double back = 0.065, front = length - back, wide = 0.15, toe = 0.06;
+  const double instep = std::min(0.12, 0.9 * height);
   const std::vector<Vec2> outer = {
       {0.03 - front, 0},     {back, 0},           {back, height},     {back - wide, height},
       {back - wide, instep}, {0.02 - front, toe}, {-front, 0.5 * toe}};
@@ -143,12 +146,92 @@ TEST(LimbPieces, AGloveWithFingersFindsNoPlaceAMittenDoes) {
   EXPECT_THROW(arranged(hand(true)), GeometryError);
   const ArrangedPanels mitten = arranged(hand(false));
   EXPECT_TRUE(mitten.on_limbs);
+  EXPECT_FALSE(mitten.under_soles);
   double farthest = 0, fingertips = 0;
   for (const Vec3& p : mitten.x) farthest = std::max(farthest, (p - wrist).dot(down));
   for (std::size_t i = 0; i < woman()->surface.vertices.size(); ++i)
     if (woman()->segment[i] == body::Segment::hand && woman()->side[i] < 0)
       fingertips = std::max(fingertips, (woman()->surface.vertices[i] - wrist).dot(down));
   EXPECT_NEAR(farthest, fingertips, 0.035);
+}
+
+pattern::PanelHole round_hole(const Vec2& centre, double radius) {
+  pattern::PanelHole hole{"hole", {}};
+  for (int i = 0; i < 36; ++i)
+    hole.points.push_back(centre + radius * Vec2(std::cos(kPi * i / 18), std::sin(kPi * i / 18)));
+  return hole;
+}
+
+// A hole of 12 cm is wider than what counts as for nothing.
+TEST(LimbPieces, AHoleCutIntoOneChangesNothing) {
+  for (const int side : {1, -1}) {
+    pattern::Pattern holed = sock(side, 0.12, 0.1, 0.3, 0.25);
+    holed.panels[0].holes = {round_hole({0, 0.2}, 0.02)};
+    const auto openings = openings_of(holed);
+    ASSERT_EQ(openings.size(), 2u);
+    for (const Opening& o : openings) {
+      EXPECT_EQ(o.use, o.is_cut_hole ? kinds::OpeningUse::unknown : kinds::OpeningUse::limb);
+      EXPECT_EQ(o.round,
+                o.is_cut_hole ? kRoundNothing : round_limb(side > 0 ? kLeftLeg : kRightLeg));
+    }
+  }
+  const auto& joints = woman()->joints;
+  const Vec3 left = 0.5 * (joints.at("knee_L") + joints.at("ankle_L"));
+  const Vec3 right = 0.5 * (joints.at("knee_R") + joints.at("ankle_R"));
+  for (const bool pair : {false, true}) {
+    pattern::Pattern stockings = ring(left, 0.36, 0.2);
+    stockings.panels[0].holes = {round_hole({0.02, 0.01}, 0.02)};
+    if (pair) {
+      stockings.panels.push_back(ring(right, 0.36, 0.2).panels[0]);
+      stockings.panels[1].name = "other";
+      stockings.stitches.push_back(stitch(1, 1, 1, 3));
+    }
+    int ends = 0;
+    for (const Opening& o : openings_of(stockings)) {
+      if (o.is_cut_hole) continue;
+      ++ends;
+      EXPECT_EQ(o.use, kinds::OpeningUse::limb);
+      EXPECT_EQ(o.round, round_limb(o.placed.x() > 0 ? kLeftLeg : kRightLeg));
+    }
+    EXPECT_EQ(ends, pair ? 4 : 2);
+  }
+}
+
+bool under_soles(const pattern::Pattern& pattern) {
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  return goes_under_soles(sewn, pattern, garment_openings(sewn, pattern, woman()));
+}
+
+TEST(LimbPieces, SocksAloneGoUnderTheSolesHoweverLowAndWhereverTheFileHasThem) {
+  for (const double height : {0.09, 0.15, 0.3})
+    for (const double up : {0.0, 0.2}) {
+      pattern::Pattern pattern = sock(1, 0.12, 0.1, height, 0.25);
+      for (pattern::Panel& panel : pattern.panels) panel.translation.z() += up;
+      EXPECT_TRUE(under_soles(pattern)) << height << " " << up;
+      const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+      EXPECT_TRUE(arrange_panels(sewn, garment::open_seams(sewn), pattern, woman()).under_soles);
+    }
+  EXPECT_FALSE(under_soles(ring(woman()->joints.at("ankle_L"), 0.36, 0.2))) << "open below";
+  EXPECT_FALSE(under_soles(ring({0, 0, 0.5}, 1.3, 0.8))) << "a skirt";
+}
+
+TEST(LimbPieces, AStockingThatNarrowsDownwardsIsNotUpsideDown) {
+  pattern::Pattern pattern = ring(woman()->joints.at("knee_L"), 0.4, 0.3);
+  for (const int corner : {0, 1}) pattern.panels[0].vertices[corner].x() *= 0.6;
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const std::vector<Vec3> x = placed_by_pattern(sewn, pattern);
+  EXPECT_EQ(way_round(sewn, pattern, x, woman()).upside_down, "");
+}
+
+// That it is on its foot is asked of every posture by itself.
+TEST(LimbPieces, ASockNeedNotBeComparedWithAnotherPosture) {
+  const pattern::Pattern pattern = sock(1, 0.12, 0.1, 0.3, 0.25);
+  const garment::Garment sewn = garment::assemble(pattern, 0.03, fabric::Material{});
+  const std::vector<Vec3> x = placed_by_pattern(sewn, pattern);
+  std::vector<Vec3> first = x;
+  for (Vec3& p : first) p.x() += 0.6;
+  EXPECT_TRUE(worn_alike(sewn, pattern, x, woman(), first, woman().body()));
+  EXPECT_FALSE(why_not_worn(sewn, pattern, first, woman(), false).empty());
 }
 
 TEST(LimbPieces, ASockOfAKnitIsWornOnItsFoot) {

@@ -33,6 +33,7 @@ Rim along_weft(OpeningUse use, double cut, int piece = 0) {
   Rim rim;
   rim.opening.use = use;
   rim.opening.piece = piece;
+  rim.opening.girth = cut;
   rim.name = "the rim";
   rim.parts = {{0, 1, Vec2(cut / 2, 0)}, {1, 0, Vec2(-cut / 2, 0)}};
   return rim;
@@ -199,11 +200,20 @@ TEST(PuttingOn, AStockingAndASleeveAloneOverTheEndOfTheirLimb) {
   }
 }
 
-// An open front leaves no neck; pockets are for nothing.
+// An open front leaves no neck; cut holes and slits of pockets are for nothing.
 TEST(PuttingOn, WhatIsOpenOrForNothingIsNotAsked) {
-  EXPECT_EQ(possible({along_weft(OpeningUse::unknown, 0.1), along_weft(OpeningUse::cape_hem, 0.1)},
-                     cloth(0.05, 0.05)),
-            true);
+  const fabric::Material material = cloth(0.05, 0.05);
+  Rim hole = along_weft(OpeningUse::unknown, 0.1);
+  hole.opening.is_cut_hole = true;
+  EXPECT_EQ(possible({hole, along_weft(OpeningUse::cape_hem, 0.1)}, material), true);
+  EXPECT_EQ(possible({hole}, material), std::nullopt);
+  Rim slit = along_weft(OpeningUse::unknown, 0.3), waist = along_weft(OpeningUse::waist, 1.1);
+  slit.opening.of_legs = waist.opening.of_legs = true;
+  EXPECT_EQ(possible({waist, slit}, material), true);
+  const std::vector<Rim> jacket = {along_weft(OpeningUse::left_arm, 0.3),
+                                   along_weft(OpeningUse::right_arm, 0.3),
+                                   along_weft(OpeningUse::unknown, 2)};
+  EXPECT_EQ(possible(jacket, material), true);
   // Cloth that has nothing else, as a bag, is not judged.
   EXPECT_EQ(possible({along_weft(OpeningUse::unknown, 0.4), along_weft(OpeningUse::unknown, 0.1)},
                      cloth(0.05, 0.05)),
@@ -212,6 +222,33 @@ TEST(PuttingOn, WhatIsOpenOrForNothingIsNotAsked) {
       possible({along_weft(OpeningUse::unknown, 0.4, 1), along_weft(OpeningUse::neck, 0.6, 0)},
                cloth(0.05, 0.05)),
       std::nullopt);
+}
+
+// Arms by their labels; a keyhole hides which of the others is the neck.
+TEST(PuttingOn, AnOpeningOfUnknownUseIsNotJudgedWhateverTheOthersAre) {
+  const fabric::Material material = cloth(0.05, 0.05);
+  std::vector<Rim> top = {
+      along_weft(OpeningUse::left_arm, 0.3), along_weft(OpeningUse::right_arm, 0.3),
+      along_weft(OpeningUse::unknown, 0.2), along_weft(OpeningUse::unknown, 0.15),
+      along_weft(OpeningUse::unknown, 1.1)};
+  EXPECT_EQ(possible(top, material), std::nullopt);
+  EXPECT_EQ(putting_on(top, woman(), material).not_judged.size(), 1u) << "once for its cloth";
+  // The edge over a bare shoulder is no open front.
+  EXPECT_EQ(possible({along_weft(OpeningUse::left_arm, 0.3), along_weft(OpeningUse::unknown, 0.2),
+                      along_weft(OpeningUse::hem, 1.1)},
+                     material),
+            std::nullopt);
+  // Trousers of which only the legs are known.
+  std::vector<Rim> trousers = {along_weft(OpeningUse::left_leg, 0.4),
+                               along_weft(OpeningUse::right_leg, 0.4),
+                               along_weft(OpeningUse::unknown, 0.5)};
+  for (Rim& rim : trousers) rim.opening.of_legs = true;
+  EXPECT_EQ(possible(trousers, material), std::nullopt);
+}
+
+TEST(PuttingOn, ClothWithoutOpeningsIsNotJudged) {
+  EXPECT_EQ(possible({}, cloth(0.05, 0.05)), std::nullopt);
+  EXPECT_EQ(putting_on({}, woman(), cloth(0.05, 0.05)).reasons().size(), 1u);
 }
 
 TEST(PuttingOn, WhatNobodyStatesIsNotJudgedUnlessItPassesAnyway) {

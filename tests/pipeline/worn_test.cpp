@@ -113,6 +113,30 @@ TEST(Worn, NotAShirtOfWhichOneSleeveIsEmpty) {
   EXPECT_EQ(shirt().on(x), Reasons{"the left sleeve is empty"});
 }
 
+/// The woman whose left arm ends at this share of the way from shoulder to wrist.
+body::PosedBody with_arm_to(double share) {
+  body::Body body = woman().body();
+  const Vec3 shoulder = body.joints.at("shoulder_L"), wrist = body.joints.at("wrist_L");
+  body.joints["arm_end_L"] = shoulder + share * (wrist - shoulder);
+  return body;
+}
+
+TEST(Worn, AnEmptySleeveOfWhomLacksTheArmButNotOfWhomLacksTheHand) {
+  const std::vector<Vec3> worn = support::dress_shirt(shirt().mesh(), woman());
+  std::vector<Vec3> empty = worn;
+  const Vec3 shoulder = woman()->joints.at("shoulder_L");
+  for (Vec3& p : empty)
+    if (p.x() > shoulder.x() + 0.04) p = Vec3(shoulder.x() + 0.04, p.y() - 0.5, p.z() - 0.3);
+  for (const double share : {0.0, 0.03}) {
+    EXPECT_EQ(shirt().on(worn, with_arm_to(share)), Reasons{}) << share;
+    EXPECT_EQ(shirt().on(empty, with_arm_to(share)), Reasons{}) << share;
+  }
+  for (const double share : {0.6, 0.8, 1.0}) {
+    EXPECT_EQ(shirt().on(worn, with_arm_to(share)), Reasons{}) << share;
+    EXPECT_EQ(shirt().on(empty, with_arm_to(share)), Reasons{"the left sleeve is empty"}) << share;
+  }
+}
+
 TEST(Worn, ASleeveThatIsLongerThanItsArm) {
   std::vector<Vec3> x = support::dress_shirt(shirt().mesh(), woman());
   const Vec3 elbow = woman()->joints.at("elbow_L"), wrist = woman()->joints.at("wrist_L");

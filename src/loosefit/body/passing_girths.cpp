@@ -93,6 +93,11 @@ PassingGirths passing_girths(const Body& body) {
   girths.head = head_girth(body);
   girths.hand = {hand_girth(body, "_L"), hand_girth(body, "_R")};
   girths.foot = {foot_girth(body, "_L", 1), foot_girth(body, "_R", -1)};
+  for (const int side : {0, 1}) {
+    const std::string end = side == 0 ? "_end_L" : "_end_R";
+    if (!girths.hand[side] && joint(body, "arm" + end)) girths.hand[side] = 0;
+    if (!girths.foot[side] && joint(body, "leg" + end)) girths.foot[side] = 0;
+  }
   girths.chest = measured(body, "chest");
   girths.hip = measured(body, "hip");
   return girths;

@@ -6,8 +6,8 @@
 
 namespace loosefit::body {
 
-/// Girths of a body that has to pass an opening to get into a garment [m]. What the body lacks or
-/// does not tell is absent.
+/// Girths of a body that has to pass an opening to get into a garment [m]. What the body does not
+/// tell is absent; of a limb that ends before its hand or foot it is 0, for nothing has to pass.
 struct PassingGirths {
   std::optional<double> head;  ///< widest tape across the axis from the head's joint to the crown
   /// Round the knuckles without the thumb, left and right (ISO 8559-1 hand girth).

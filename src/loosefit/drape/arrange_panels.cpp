@@ -62,8 +62,10 @@ class Arranger {
   }
 
   ArrangedPanels arrange() {
+    bool under_soles = false;
     if (!limb_lines(body_.body())[kHead].empty()) {
       openings_ = garment_openings(sewn_, pattern_, body_);
+      under_soles = goes_under_soles(sewn_, pattern_, openings_);
       roles_ = panel_roles(open_, pattern_, openings_, placed_);
       const LimbPieces on_limbs(sewn_, open_, openings_, body_);
       for (std::size_t k = 0; k < roles_.size(); ++k)
@@ -107,7 +109,12 @@ class Arranger {
     std::vector<char> of_trunk(outside_.size(), 0);
     for (std::size_t k = 0; k < roles_.size(); ++k) of_trunk[k] = roles_[k] == PanelRole::trunk;
     const bool on_limbs = std::ranges::count(roles_, PanelRole::limb) > 0;
-    return {std::move(x_), std::move(outside_), std::move(of_trunk), shoulder_seams(), on_limbs};
+    return {.x = std::move(x_),
+            .outside = std::move(outside_),
+            .of_trunk = std::move(of_trunk),
+            .shoulders = shoulder_seams(),
+            .on_limbs = on_limbs,
+            .under_soles = under_soles};
   }
 
  private:

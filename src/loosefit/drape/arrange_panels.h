@@ -19,6 +19,7 @@ struct ArrangedPanels {
   std::vector<int> shoulders;
   /// Some of them are worn on one limb by themselves, which nothing holds up while they are sewn.
   bool on_limbs = false;
+  bool under_soles = false;  ///< some go between the soles and the floor (goes_under_soles)
 };
 
 /// Arranges the panels of a garment round this body, whatever body and posture their placement was

@@ -43,9 +43,6 @@ ClothState::ClothState(const std::vector<ClothLayer>& cloth, const DrapeOptions&
     if (layer.garment->levels.size() != layers.front().garment->levels.size())
       throw InvalidInput("garments worn over each other need meshes of the same levels");
   tuning.validate();
-  for (const ClothLayer& layer : layers)
-    under_soles_.push_back(!layer.garment->levels.empty() &&
-                           goes_under_soles(layer.garment->levels.front(), layer.garment->pattern));
 }
 
 std::vector<const garment::Garment*> ClothState::garments() const {
@@ -85,7 +82,10 @@ void ClothState::make_model(double stiffness_share, bool with_friction) {
       one.friction_over = 0;
     }
     fabric::scale_membrane(one.material, stiffness_share);
-    one.under_soles = under_soles_[l];
+    const garment::GarmentHierarchy& cloth = *layers[l].garment;
+    const garment::Garment& coarsest = cloth.levels.front();
+    one.under_soles = goes_under_soles(coarsest, cloth.pattern,
+                                       garment_openings(coarsest, cloth.pattern, body->body));
     one.self_thickness =
         one.material.thickness * (is_finest() ? 1.0 : tuning.cloth.coarse_thickness);
     parts.push_back(std::move(one));

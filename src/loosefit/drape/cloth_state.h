@@ -165,7 +165,6 @@ struct ClothState {
   /// Whether a place of residual below the next of CertifyTuning::ask_tolerances will do as it is.
   bool is_near_enough(double residual);
 
-  std::vector<char> under_soles_;                   ///< per layer (goes_under_soles)
   double fraction_ = 0;                             ///< that progress was told last
   std::size_t asked_ = 0;                           ///< of the tolerances, in this settling
   double progress_to_ = 0;                          ///< the residual at its last fall

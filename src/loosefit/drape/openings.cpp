@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "loosefit/base/check.h"
 #include "loosefit/base/union_find.h"
@@ -272,6 +272,27 @@ class ByWearer {
     cape_ = kForTheWaist * chest_girth(body, levels);
   }
 
+  /// A cut hole is for nothing unless the edges do not say without it what they are for. A single
+  /// edge that fits a limb says that by itself, a wider one is that of a poncho round its neck.
+  void tell_with_holes(const std::vector<Opening*>& of) const {
+    std::vector<Opening*> edges;
+    std::ranges::copy_if(of, std::back_inserter(edges),
+                         [](const Opening* o) { return !o->is_cut_hole; });
+    const bool for_nothing = std::ranges::all_of(of, [](const Opening* o) {
+      return !o->is_cut_hole || o->use == kinds::OpeningUse::unknown;
+    });
+    if (edges.empty() || edges.size() == of.size()) return tell(of);
+    if (for_nothing) return tell(edges);
+    if (edges.size() > 1 || edges[0]->girth > cape_) return tell(of);
+    std::vector<kinds::OpeningUse> uses;
+    for (Opening* o : of) uses.push_back(std::exchange(o->use, kinds::OpeningUse::unknown));
+    tell(edges);
+    if (edges[0]->use != kinds::OpeningUse::unknown) return;
+    for (std::size_t i = 0; i < of.size(); ++i) of[i]->use = uses[i];
+    tell(of);
+  }
+
+ private:
   void tell(std::vector<Opening*> of) const {
     const auto labelled = [](const Opening* o) { return o->at_waist || o->at_chest; };
     if (lines_[kHead].empty() || of.size() > 2 || std::ranges::any_of(of, labelled)) return;
@@ -293,7 +314,6 @@ class ByWearer {
       for_limb(of, round_limb(Limb(limb)), false);
   }
 
- private:
   /// The same of a cape that was placed for somebody so tall that it begins above this neck.
   LimbNumbers as_if_smaller(const Opening& upper) const {
     double top = 0;
@@ -381,7 +401,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
   const ByWearer wearer(garment, pattern, placed, body);
   std::map<int, std::vector<Opening*>> of_piece;
   for (Opening& o : openings) of_piece[o.piece].push_back(&o);
-  for (auto& [piece, of] : of_piece) wearer.tell(of);
+  for (auto& [piece, of] : of_piece) wearer.tell_with_holes(of);
   return openings;
 }
 
@@ -434,8 +454,6 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
                          chest = labelled_vertices(garment, pattern, "strapless_top");
   const std::vector<char> bands = waistbands(garment);
   std::vector<Opening> openings;
-  std::vector<std::string> labels;
-  std::map<int, std::vector<int>> of_piece;
   for (std::vector<int>& loop : topology.boundary_loops()) {
     Opening opening;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -444,7 +462,6 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
       opening.girth += lengths[edge];
       if (!placed.empty()) opening.placed += placed[loop[i]] / static_cast<double>(loop.size());
     }
-    if (opening.girth < kNoHand) continue;
     // Half of the rim: a label also marks the ends of its neighbours.
     const auto on = [&loop](const std::vector<int>& marked) {
       const auto hits = std::count_if(loop.begin(), loop.end(), [&](int v) {
@@ -454,27 +471,35 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     };
     opening.at_waist = on(waist);
     opening.at_chest = on(chest);
-    labels.push_back(panel_label(loop, garment, pattern));
     opening.piece = piece[loop.front()];
     opening.of_legs = of_legs.at(opening.piece);
     // The band at the hem of a top may be called so as well.
     opening.of_waistband = opening.of_legs && std::all_of(loop.begin(), loop.end(), [&](int v) {
                              return bands[garment.vertex_panel[v]] != 0;
                            });
-    of_piece[opening.piece].push_back(static_cast<int>(openings.size()));
     opening.loop = std::move(loop);
+    opening.is_cut_hole = is_cut_hole(opening, garment);
     openings.push_back(std::move(opening));
   }
-  if (placed.empty()) return openings;
+  const bool by_kind = !placed.empty() && tell_by_kind(openings, garment, pattern);
+  std::erase_if(openings, [](const Opening& o) {
+    return o.use == kinds::OpeningUse::unknown && o.girth < kNoHand;
+  });
+  if (placed.empty() || by_kind) return openings;
   geometry::Box3 box;
   for (const Vec3& p : placed) box.extend(p);
-  if (tell_by_kind(openings, garment, pattern)) return openings;
+  std::vector<std::string> labels;
+  std::map<int, std::vector<int>> of_piece;
+  for (const Opening& o : openings) {
+    of_piece[o.piece].push_back(static_cast<int>(labels.size()));
+    labels.push_back(panel_label(o.loop, garment, pattern));
+  }
   for (const auto& [root, of] : of_piece) {
     // A hole cut into a piece is for nothing where the other openings say what they are for without
     // it; else it may be the neck.
     std::vector<int> of_edges;
     std::copy_if(of.begin(), of.end(), std::back_inserter(of_edges),
-                 [&](int i) { return !is_cut_hole(openings[i], garment); });
+                 [&](int i) { return !openings[i].is_cut_hole; });
     if (!of_edges.empty()) Uses(openings, of_edges, placed, box).tell(labels);
     const bool told = std::any_of(
         of.begin(), of.end(), [&](int i) { return openings[i].use != kinds::OpeningUse::unknown; });
@@ -497,25 +522,42 @@ std::vector<int> pieces_of_cloth(const garment::Garment& garment) {
   return of;
 }
 
-bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern) {
-  if (pattern.panels.empty()) return false;
+bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern,
+                      const std::vector<Opening>& openings) {
   const std::vector<Vec3> placed = placed_by_pattern(garment, pattern);
   if (placed.empty()) return false;
   const std::vector<int> piece = pieces_of_cloth(garment);
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  std::map<int, double> lowest, lowest_rim;
-  for (int v = 0; v < garment.vertex_count; ++v) {
-    double& low = lowest.try_emplace(piece[v], kNever).first->second;
-    low = std::min(low, placed[v].z());
-  }
-  for (const Opening& o : garment_openings(garment, pattern)) {
-    double& low = lowest_rim.try_emplace(o.piece, kNever).first->second;
-    for (int v : o.loop) low = std::min(low, placed[v].z());
-  }
-  return std::ranges::any_of(lowest_rim, [&](const auto& rim) {
-    const double low = lowest.at(rim.first);
-    return low < kFoot && rim.second - low > kFoot;
+  std::map<int, std::vector<const Opening*>> edges;
+  for (const Opening& o : openings)
+    if (!o.is_cut_hole) edges[o.piece].push_back(&o);
+  return std::ranges::any_of(edges, [&](const auto& of) {
+    const LimbNumbers& round = of.second.front()->round;
+    if (round != kRoundNothing)
+      return of.second.size() == 1 &&
+             (round == round_limb(kLeftLeg) || round == round_limb(kRightLeg));
+    double lowest = HUGE_VAL, lowest_edge = HUGE_VAL;
+    for (int v = 0; v < garment.vertex_count; ++v)
+      if (piece[v] == of.first) lowest = std::min(lowest, placed[v].z());
+    for (const Opening* o : of.second)
+      for (int v : o->loop) lowest_edge = std::min(lowest_edge, placed[v].z());
+    return lowest < kFoot && lowest_edge - lowest > kFoot;
   });
+}
+
+bool is_open_front(const Opening& edge, const std::vector<Opening>& all) {
+  using kinds::OpeningUse;
+  if (edge.use != OpeningUse::unknown) return false;
+  const auto any_of_its_cloth = [&](const auto& what) {
+    return std::ranges::any_of(all,
+                               [&](const Opening& o) { return o.piece == edge.piece && what(o); });
+  };
+  return any_of_its_cloth([](const Opening& o) {
+           return o.use == OpeningUse::left_arm || o.use == OpeningUse::right_arm;
+         }) &&
+         !any_of_its_cloth([&](const Opening& o) {
+           return o.use == OpeningUse::neck ||
+                  (o.use == OpeningUse::unknown && o.girth > edge.girth);
+         });
 }
 
 }  // namespace loosefit::drape

@@ -26,6 +26,7 @@ struct Opening {
   /// All pieces of its cloth are of legs, skirts or waistbands by label or name.
   bool of_legs = false;
   bool of_waistband = false;  ///< of_legs, and its edges are of waistbands by name
+  bool is_cut_hole = false;   ///< it is cut into a piece
 
   /// Labels or names say that it is the upper end of what it belongs to.
   bool is_named_top() const { return at_waist || at_chest || of_waistband; }
@@ -40,12 +41,12 @@ bool is_upper_end(const Opening& a, const Opening& b);
 /// other where the pattern places its pieces, whatever wearer that was made for, and by the labels
 /// of pieces ("arm", "leg"): a pair beside the middle between a neck and a hem are arms, a pair
 /// below a single opening are legs, a second pair below the first are legs too, two in the middle
-/// alone are the ends of a tube round the trunk unless tell_tubes says otherwise. Of three, the
-/// lowest in the middle, a smaller one beside the middle that comes up to the shoulder is the only
-/// armhole, where the third comes down beside it. Cloth `of_legs` has no neck and no armholes:
-/// holes at its sides between its ends are slits, for nothing. An edge that runs from top to bottom
-/// is an open front. A hole cut into a piece is for nothing where the other openings say without it
-/// what they are for. Holes that no hand goes through (8 cm) are left out.
+/// alone are the ends of a tube round the trunk. Of three, the lowest in the middle, a smaller one
+/// beside the middle that comes up to the shoulder is the only armhole, where the third comes down
+/// beside it. Cloth `of_legs` has no neck and no armholes: holes at its sides between its ends are
+/// slits, for nothing. An edge that runs from top to bottom is an open front. A hole cut into a
+/// piece is for nothing where the other openings say without it what they are for. Holes that no
+/// hand goes through (8 cm) are left out, unless the kind knows what they are for.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern);
 
@@ -57,13 +58,20 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
 /// pattern that was placed for another wearer: what goes through both ends. Of one that goes round
 /// one limb: a sock, a mitten, a hat. A narrow piece beside the middle of the body that goes round
 /// nothing is for the arm or leg of that side, as its label says, else for the nearer one; one
-/// above the neck is for the head. Labels of edges come before.
+/// above the neck is for the head. Labels of edges come before. A hole cut into a piece is left out
+/// here too, unless a piece with a single edge says nothing without it or is too wide for a limb.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern, const body::PosedBody& body);
 
-/// Whether a piece of cloth is closed below its openings where the pattern places the feet, as a
-/// sock is: it goes between the soles and the floor.
-bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern);
+/// Whether cloth goes between the soles and the floor, by its openings as the wearer tells them: a
+/// piece for one leg with a single edge, as a sock, or one for more of the body that is closed
+/// below its edges where the pattern places the feet, as tights.
+bool goes_under_soles(const garment::Garment& garment, const pattern::Pattern& pattern,
+                      const std::vector<Opening>& openings);
+
+/// Whether it is the edge of a jacket that is open in front: of `all` openings, the longest one of
+/// unknown use of a piece with armholes and no neck.
+bool is_open_front(const Opening& edge, const std::vector<Opening>& all);
 
 /// The connected piece of cloth to which each vertex belongs, by one of its vertices.
 std::vector<int> pieces_of_cloth(const garment::Garment& garment);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "loosefit/base/text.h"
 
@@ -101,14 +102,22 @@ class Judge {
     return rim.opening.use != OpeningUse::unknown && rim.opening.use != OpeningUse::tube;
   }
 
-  /// Cloth with openings of which none is known to be for anything: once for each piece.
+  /// Of each cloth the first opening of unknown use that something may have to pass.
   void tell_unknown() {
-    for (auto rim = rims_.begin(); rim != rims_.end(); ++rim) {
-      const auto same_cloth = [&](const Rim& r) { return r.opening.piece == rim->opening.piece; };
-      if (std::any_of(rims_.begin(), rim, same_cloth) ||
-          std::ranges::any_of(rims_, [&](const Rim& r) { return same_cloth(r) && is_known(r); }))
-        continue;
-      result_.not_judged.push_back("what " + rim->name + " has to let pass is not known");
+    std::vector<Opening> all;
+    for (const Rim& rim : rims_) all.push_back(rim.opening);
+    std::set<int> told;  // cloth
+    for (const Rim& rim : rims_) {
+      const Opening& o = rim.opening;
+      const bool one_is_known = std::ranges::any_of(
+          rims_, [&](const Rim& r) { return r.opening.piece == o.piece && is_known(r); });
+      const bool is_slit =
+          o.of_legs && (other(rim, OpeningUse::waist) || other(rim, OpeningUse::upper));
+      // The edge over a bare shoulder lets head and arm pass.
+      const bool is_front = is_open_front(o, all) && !other(rim, OpeningUse::hem);
+      const bool for_nothing = o.is_cut_hole || is_slit || is_front;
+      if (is_known(rim) || (one_is_known && for_nothing) || !told.insert(o.piece).second) continue;
+      result_.not_judged.push_back("what " + rim.name + " has to let pass is not known");
     }
   }
 
@@ -168,6 +177,8 @@ PuttingOn putting_on(const std::vector<Rim>& rims, const body::PassingGirths& gi
   if (!girths.head && !girths.hand[0] && !girths.hand[1] && !girths.foot[0] && !girths.foot[1])
     return {.too_narrow = {},
             .not_judged = {"a body without joints does not tell what has to pass the openings"}};
+  if (rims.empty())
+    return {.too_narrow = {}, .not_judged = {"the cloth has no opening that a limb goes through"}};
   return Judge(rims, girths, material).judged();
 }
 

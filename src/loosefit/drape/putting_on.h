@@ -32,8 +32,9 @@ struct PuttingOn {
 ///   after the other), whichever it lets;
 /// * the chest through the hem of a top, unless the hips pass its neck.
 ///
-/// Chest and hips give way by 3 %. Openings of unknown use and hems of capes are not asked; cloth
-/// that has none but unknown ones is not judged. A body without joints is judged nowhere.
+/// Chest and hips give way by 3 %. Hems of capes, open fronts, holes cut into a piece and slits of
+/// skirts and trousers are not asked. Cloth with another opening of unknown use is not judged, nor
+/// are cloth without openings and a body without joints.
 PuttingOn putting_on(const std::vector<Rim>& rims, const body::PassingGirths& girths,
                      const fabric::Material& material);
 

@@ -82,7 +82,7 @@ class Verdict {
     reasons(true);
     std::vector<std::string> found;
     for (const Opening& o : openings_)
-      if (o.use == kinds::OpeningUse::unknown && !is_open_front(o))
+      if (o.use == kinds::OpeningUse::unknown && !is_open_front(o, openings_))
         found.push_back(fmt::format("{:.2f} m round at {}", o.girth, printable(piece_at(o))));
     if (found.empty()) return {};
     return fmt::format("what {} for is not known, and what goes through was not asked: {}",
@@ -93,7 +93,7 @@ class Verdict {
   /// at `first` on another posture of the body.
   bool alike(const std::vector<Vec3>& first, const LimbLines& lines) {
     if (lines_[kHead].empty() || lines[kHead].empty()) return true;
-    for (const Opening& o : garment_openings(garment_, pattern_))
+    for (const Opening& o : garment_openings(garment_, pattern_, body_))
       if (o.use == kinds::OpeningUse::unknown &&
           !goes_round(o, limbs_through_openings(o.loop, first, lines)))
         return false;
@@ -179,11 +179,27 @@ class Verdict {
     return 2 * static_cast<std::size_t>(hood) > o.loop.size();
   }
 
-  /// Whether what was asked last goes round nothing since the wearer lacks a part of this limb.
-  bool hangs(Limb limb) const { return round_ == kRoundNothing && lacks_end(limb, body_); }
+  /// Whether what was asked last goes round nothing since this limb of the wearer ends before the
+  /// ring of the tube that is placed nearest to the trunk.
+  bool hangs(const Opening& o, Limb limb) const {
+    if (round_ != kRoundNothing || !lacks_end(limb, body_)) return false;
+    const auto rings = tube_rings(garment_, o.loop, widest(o));
+    Vec3 first = Vec3::Zero();
+    for (const std::vector<int>& ring = rings.empty() ? o.loop : rings.back(); int v : ring)
+      first += placed_[v] / static_cast<double>(ring.size());
+    return ends_before(limb, Polyline(at_rest_[limb]).project(first));
+  }
+
+  /// Whether a limb ends before this way along it [m], or no farther than armpit or crotch.
+  bool ends_before(Limb limb, double way) const {
+    const Polyline line(at_rest_[limb]);
+    const Vec3& root = at_rest_[limb][limb < kLeftLeg ? 1 : 2];
+    const double trunk = line.project(root) + kLimb * levels_.height;
+    return lacks_end(limb, body_) && line.project(at_rest_[limb].back()) < std::max(way, trunk);
+  }
 
   void check_arm(const Opening& o, Limb limb, const std::string& side) {
-    if (goes_round(o, round_limb(limb)) || hangs(limb)) return;
+    if (goes_round(o, round_limb(limb)) || hangs(o, limb)) return;
     if (round_ == kRoundNothing)
       say("the " + side + " sleeve is empty");
     else
@@ -191,7 +207,7 @@ class Verdict {
   }
 
   void check_leg(const Opening& o, Limb limb, const std::string& side) {
-    if (goes_round(o, round_limb(limb)) || hangs(limb)) return;
+    if (goes_round(o, round_limb(limb)) || hangs(o, limb)) return;
     if (round_ == kRoundNothing)
       say("the " + side + " trouser leg is empty");
     else
@@ -302,7 +318,7 @@ class Verdict {
   /// shoulders, and its edge runs behind the neck.
   void check_open_front(const std::vector<const Opening*>& of) {
     const auto found =
-        std::ranges::find_if(of, [&](const Opening* o) { return is_open_front(*o); });
+        std::ranges::find_if(of, [&](const Opening* o) { return is_open_front(*o, openings_); });
     if (found == of.end()) return;
     const Opening* front = *found;
     for (const Opening* o : of) {
@@ -319,21 +335,6 @@ class Verdict {
     const auto joints = levels_.joints();
     if (highest < 0.5 * (joints.at("shoulder_L").z() + joints.at("shoulder_R").z()))
       say("the back of the neck has slid off the shoulders");
-  }
-
-  /// Whether it is the edge of a jacket that is open in front: the longest opening of unknown use
-  /// of a piece with armholes and no neck.
-  bool is_open_front(const Opening& edge) const {
-    return edge.use == kinds::OpeningUse::unknown &&
-           std::ranges::none_of(
-               openings_,
-               [&](const Opening& o) {
-                 return o.piece == edge.piece &&
-                        (o.use == kinds::OpeningUse::neck ||
-                         (o.use == kinds::OpeningUse::unknown && o.girth > edge.girth));
-               }) &&
-           std::ranges::any_of(
-               openings_, [&](const Opening& o) { return o.piece == edge.piece && is_arm(o); });
   }
 
   /// Name of a piece with the first vertex of an opening.
@@ -432,8 +433,8 @@ class Verdict {
       return std::ranges::any_of(openings_,
                                  [&](const Opening& o) { return goes_round(o, round_limb(arm)); });
     };
-    const bool left_in = in_one(kLeftArm) || lacks_end(kLeftArm, body_),
-               right_in = in_one(kRightArm) || lacks_end(kRightArm, body_);
+    const bool left_in = in_one(kLeftArm) || ends_before(kLeftArm, 0),
+               right_in = in_one(kRightArm) || ends_before(kRightArm, 0);
     if (!left_in && !right_in)
       say("no arm is in a sleeve");
     else if (left && right && !(left_in && right_in))

@@ -56,9 +56,12 @@ std::optional<Vec2> forward(const garment::Garment& garment, const std::vector<V
   return Vec2(sum[1] / count[1] - sum[0] / count[0]);
 }
 
-std::string wider_at_the_top(const garment::Garment& garment, const pattern::Pattern& pattern) {
+/// Of a tube for one limb the way up is known, for the wearer tells which end is the upper one.
+std::string wider_at_the_top(const garment::Garment& garment, const pattern::Pattern& pattern,
+                             const body::PosedBody& body) {
   std::map<int, std::vector<Opening>> of_piece;
-  for (Opening& o : garment_openings(garment, pattern)) of_piece[o.piece].push_back(std::move(o));
+  for (Opening& o : garment_openings(garment, pattern, body))
+    if (o.use != kinds::OpeningUse::limb) of_piece[o.piece].push_back(std::move(o));
   for (const auto& [piece, ends] : of_piece) {
     if (ends.size() != 2) continue;
     const bool first = is_upper_end(ends[0], ends[1]);
@@ -91,7 +94,7 @@ WayRound way_round(const garment::Garment& garment, const pattern::Pattern& patt
           "wearer's front",
           std::abs(angle), angle > 0 ? "left" : "right");
   }
-  found.upside_down = wider_at_the_top(garment, pattern);
+  found.upside_down = wider_at_the_top(garment, pattern, body);
   return found;
 }
 

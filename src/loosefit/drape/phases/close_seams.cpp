@@ -116,7 +116,7 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   contact.set_field(around->field);
   contact::BodyContact on_floor(contact::contact_points(g.triangles, area, g.vertex_count, kPad),
                                 kSkin, 0, kStick);
-  if (!panels.on_limbs) on_floor.set_field(around->floor);  // a sock goes under the sole
+  if (!panels.under_soles) on_floor.set_field(around->floor);
   const double thread = kThread * mean_edge(g);
   SeamPull seams(open.partners, thread, kReach);
   solver::ParticleSystem system;
