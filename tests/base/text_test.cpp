@@ -33,6 +33,15 @@ TEST(Shortest, ReadsBackToTheSameDouble) {
 TEST(Printable, EscapesAndCuts) {
   EXPECT_EQ(printable("a\nb"), "a\\x0ab");
   EXPECT_EQ(printable(std::string(100, 'x'), 5), "xxxxx...");
+  const std::string name = "Ärmel für größere 袖 😀";
+  for (std::size_t limit = 0; limit <= name.size(); ++limit) {
+    const std::string shown = printable(name, limit);
+    EXPECT_EQ(shown.find("\\x"), std::string::npos) << shown;
+    EXPECT_TRUE(valid_utf8(shown)) << shown;
+    EXPECT_EQ(shown.ends_with("..."), limit < name.size()) << shown;
+  }
+  EXPECT_EQ(printable(name), name);
+  EXPECT_EQ(printable("a\xff"), "a\\xff");
 }
 
 TEST(TerminalText, ControlsAndBrokenBytesAreEscaped) {

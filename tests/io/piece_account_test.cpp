@@ -352,6 +352,64 @@ TEST(PatternAccount, CountsThatAreNotPlainAreToldInTheWordsOfTheFile) {
   EXPECT_TRUE(tells(file.warnings, "(\"cut 4\")")) << all(file.warnings);
 }
 
+TEST(PatternAccount, NamedOutlinesThatMissClosingAreClosedOrTold) {
+  for (const double gap : {0.2, 1.0, 1.9, 2.5, 30.0}) {
+    const std::string back = "<path inkscape:label=\"back\" d=\"M 700,50 H 900 V 400 H 700 V " +
+                             std::to_string(50 + gap) + "\"/>";
+    const PatternFile file = parse_svg_pattern(tunic(back), "t");
+    EXPECT_EQ(file.pattern.panels.size(), gap < 2 ? 2u : 1u) << gap;
+    EXPECT_TRUE(tells(file.warnings, "open line \"back\"")) << all(file.warnings);
+  }
+}
+
+TEST(PatternAccount, NamesThatEndAsASizeOrACountAreToldAndStayReadable) {
+  for (const char* name : {"Ärmel 2X", "Rücken 3X", "Vorderstück_12X", "Ärmel XXL"}) {
+    const PatternFile file = parse_svg_pattern(tunic("", name), "t");
+    EXPECT_EQ(tells(file.warnings, "may be a size or a count"), std::string(name) != "Ärmel XXL")
+        << all(file.warnings);
+    EXPECT_TRUE(tells(file.used, name)) << all(file.used);
+  }
+}
+
+TEST(PatternAccount, WordsOfASheetLoseNoPiece) {
+  const std::string rest = "\" d=\"M 700,50 H 900 V 400 H 700 z\"/>";
+  for (const char* word : {"page", "frame", "title", "scale", "control", "logo"}) {
+    for (const char* piece : {"front", "back", "sleeve"}) {
+      const std::string name = std::string(piece) + " " + word + " 2";
+      EXPECT_EQ(parse_svg_pattern(tunic("<path inkscape:label=\"" + name + rest), "t")
+                    .pattern.panels.size(),
+                2u)
+          << name;
+    }
+    const PatternFile other =
+        parse_svg_pattern(tunic("<path inkscape:label=\"big " + std::string(word) + rest), "t");
+    EXPECT_EQ(other.pattern.panels.size(), 1u) << word;
+    EXPECT_TRUE(tells(other.warnings, "\"big " + std::string(word))) << all(other.warnings);
+  }
+  for (const char* page : {"Page 1", "page-2", "Page"})
+    EXPECT_EQ(parse_svg_pattern(tunic("<g inkscape:label=\"" + std::string(page) +
+                                      "\"><path inkscape:label=\"A" + rest + "</g>"),
+                                "t")
+                  .pattern.panels.size(),
+              2u)
+        << page;
+}
+
+TEST(PatternAccount, RectangleNamedAfterAPieceIsNoFrame) {
+  const std::string shapes =
+      "<path d=\"M 750,100 H 800 V 200 H 750 z\"/><path d=\"M 820,100 H 850 V 200 H 820 z\"/>";
+  for (const char* name : {"Vorderteil", "Umhang", "cloak", "back"})
+    for (const bool of_group : {false, true}) {
+      const std::string label = " inkscape:label=\"" + std::string(name) + "\"";
+      const PatternFile file = parse_svg_pattern(
+          tunic("<g" + (of_group ? label : "") + "><rect" + (of_group ? "" : label) +
+                " x=\"700\" y=\"50\" width=\"200\" height=\"350\"/>" + shapes + "</g>"),
+          "t");
+      ASSERT_EQ(file.pattern.panels.size(), 2u) << name << all(file.warnings);
+      EXPECT_NEAR(1e6 * pattern::cloth_area(file.pattern.panels[1]), 200 * 350, 1) << name;
+    }
+}
+
 TEST(PatternAccount, ClassesAndLinesOfOtherLayersAreNamed) {
   std::string text = as_freesewing_svg(drawn_design(2));
   const std::string lining = "<path class=\"lining\" d=\"M 0,0 H 200 V 300 z\"/>\n";

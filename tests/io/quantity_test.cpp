@@ -75,6 +75,44 @@ TEST(PieceQuantity, SizesMeasuresAndOtherClothsAreNoCounts) {
   EXPECT_EQ(counts(find_quantity("cut 4 self, cut 2 lining")), Pair(2, 2));
 }
 
+TEST(PieceQuantity, NumbersWithUnitsAndTurnsOfAHemAreNoCounts) {
+  for (int n = 1; n <= 12; ++n) {
+    const std::string d = std::to_string(n);
+    for (const char* unit : {"\"", " in", " cm", "cm", " mm", " m", " inch", "\xe2\x80\xb3",
+                             "\xc2\xb0", "'", " deg", "%"})
+      for (const std::string& text :
+           {"test square " + d + unit + " x " + d + unit, "Cut " + d + unit + " below line",
+            "square " + d + " x " + d + unit, "cut " + d + " x " + d + unit})
+        EXPECT_EQ(counts(find_quantity(text)), Pair(-1, -1)) << text;
+    for (const std::string& text :
+         {"turn hem " + d + " times", "Saum " + d + " mal einschlagen", "plier " + d + " fois",
+          "cut on fold, turn hem " + d + " times"})
+      EXPECT_EQ(counts(find_quantity(text)), Pair(-1, -1)) << text;
+    for (const std::string& text : {"cut sleeve " + d + " times", d + " mal zuschneiden",
+                                    "\"cut " + d + "\"", "cut " + d + " in main fabric"})
+      EXPECT_EQ(counts(find_quantity(text)), halves(n)) << text;
+  }
+}
+
+TEST(PieceQuantity, CapitalsHandsAndWordsAreRead) {
+  for (int n = 1; n <= 12; ++n) {
+    const std::string d = std::to_string(n);
+    for (const std::string& text :
+         {"SLEEVE X" + d, "X" + d, "gore, " + d + " Teile", "Quantity " + d + ".0", "Amount: " + d})
+      EXPECT_EQ(counts(find_quantity(text)), halves(n)) << text;
+    EXPECT_EQ(counts(read_quantity(d + " (MIRRORED)")).first, (n + 1) / 2);
+    for (int m = 1; m <= 3; ++m) {
+      const std::string e = std::to_string(m);
+      for (const std::string& text : {"cut " + d + " left, " + e + " right", "cut " + d + "+" + e,
+                                      "Quantity: " + d + "L " + e + "R"})
+        EXPECT_EQ(counts(find_quantity(text)), Pair(n, m)) << text;
+      EXPECT_EQ(counts(read_quantity(d + "L " + e + "R")), Pair(n, m));
+    }
+  }
+  for (const char* six : {"six", "sechs", "seis", "sei", "zes"})
+    EXPECT_EQ(counts(find_quantity(std::string("Cut ") + six)), Pair(3, 3)) << six;
+}
+
 TEST(PieceQuantity, NamesKeepWhatIsNoCount) {
   for (const auto& [text, name] :
        {std::pair{"sleeve x2", "sleeve"}, std::pair{"gore, cut 2, mirrored", "gore"},

@@ -62,6 +62,20 @@ TEST(FreesewingSvg, HalvesAreUnfoldedAndSleevesCutTwice) {
   }
 }
 
+TEST(FreesewingSvg, OutlineWithAGapIsClosedWithAWarningUnlessTheGapIsAFold) {
+  EXPECT_FALSE(tells(read(freesewing_tshirt(false)).warnings, "outline is open"));
+  for (const double gap : {0.5, 1.5, 20.0, 100.0}) {
+    std::string text = freesewing_tshirt(false);
+    const std::size_t at = text.find("<path", text.find("tee.sleeve"));
+    ASSERT_NE(at, std::string::npos);
+    text.replace(
+        at, text.find("/>", at) - at,
+        "<path class=\"fabric\" d=\"M 20,0 H 300 V 250 H 20 V " + std::to_string(gap) + "\"");
+    const PatternFile file = read(text);
+    EXPECT_TRUE(tells(file.warnings, "piece sleeve: its outline is open")) << gap;
+  }
+}
+
 TEST(FreesewingSvg, PartsThatAreEmptyAndLinesThatAreInNoneAreTold) {
   // The sleeve's outline stands beside its part.
   std::string text = freesewing_tshirt(false);

@@ -99,16 +99,11 @@ bool valid_utf8(const std::string& text) {
 }
 
 std::string printable(const std::string& text, std::size_t limit) {
-  std::string shown;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i >= limit) return shown + "...";
-    const unsigned char c = static_cast<unsigned char>(text[i]);
-    if (c >= 0x20 && c < 0x7f)
-      shown += text[i];
-    else
-      shown += fmt::format("\\x{:02x}", c);
-  }
-  return shown;
+  std::size_t end = std::min(limit, text.size());
+  // A letter of several bytes stays whole.
+  for (int k = 0; k < 3 && end < text.size() && end > 0 && (text[end] & 0xc0) == 0x80; ++k) --end;
+  const std::string shown = replace_controls(text.substr(0, end), escaped_bytes);
+  return end < text.size() ? shown + "..." : shown;
 }
 
 }  // namespace loosefit

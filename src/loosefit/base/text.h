@@ -34,7 +34,8 @@ std::string without_controls(const std::string& text);
 /// Whether all of it is UTF-8 (RFC 3629).
 bool valid_utf8(const std::string& text);
 
-/// Text for an error message: control characters and bytes outside ASCII escaped, long text cut.
+/// Text for an error message: escaped as by terminal_line, line ends by their code; longer text
+/// than `limit` bytes is cut after a whole letter.
 std::string printable(const std::string& text, std::size_t limit = 60);
 
 }  // namespace loosefit

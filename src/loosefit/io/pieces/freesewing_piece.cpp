@@ -1,5 +1,7 @@
 #include "loosefit/io/pieces/freesewing_piece.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -62,6 +64,24 @@ std::vector<Vec2> around(const FreesewingLine& line) {
   std::vector<Vec2> points = line.line.points;
   if (points.size() > 2 && (points.front() - points.back()).norm() < kChainGap) points.pop_back();
   return points;
+}
+
+/// Between the ends of an open line; 0: closed, or both lie on a fold.
+double gap_off_folds(const DrawnLine& line, const std::vector<std::vector<Vec2>>& folds,
+                     const Axis& middle) {
+  if (line.closed || line.points.size() < 3) return 0;
+  const Vec2 first = line.points.front(), last = line.points.back();
+  const double gap = (last - first).norm();
+  const auto on = [&](const Vec2& a, const Vec2& b) {
+    if ((b - a).norm() < kChainGap) return false;
+    const Vec2 along = (b - a).normalized();
+    return std::abs(geometry::cross(along, first - a)) < kOnAxis &&
+           std::abs(geometry::cross(along, last - a)) < kOnAxis;
+  };
+  const bool at_fold = on(middle.first, middle.second) ||
+                       std::any_of(folds.begin(), folds.end(),
+                                   [&](const auto& f) { return on(f.front(), f.back()); });
+  return gap < kChainGap || at_fold ? 0 : gap;
 }
 
 bool is_closed(const FreesewingLine& line) {
@@ -184,6 +204,11 @@ std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool mark
              (words.sleeve || words.cuff || words.leg || words.front || words.back ||
               (words.hood && !words.centre)))
       one.count.mirrored = 1;
+    if (const double gap = gap_off_folds(outlines[k]->line, piece.folds, part.middle); gap > 0)
+      piece.notes.push_back(
+          fmt::format("its outline is open: its ends are {:.3g} mm apart; a "
+                      "straight line closes it",
+                      1e3 * gap));
     if (k > 0)
       piece.notes.push_back("a further outline of its part, " + called(*outlines[k]) +
                             ", is taken as a piece of its own");

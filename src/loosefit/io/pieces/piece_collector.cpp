@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/garmentcode_frame.h"
@@ -13,6 +15,14 @@ namespace {
 constexpr std::size_t kMostPoints = 50'000;
 constexpr double kGap = 0.05;  // between pieces laid side by side [m]
 
+/// "Sleeve 2X".
+bool ends_as_size_or_count(const std::string& name) {
+  if (name.size() < 3 || name.back() != 'X') return false;
+  const std::size_t last = name.find_last_not_of("0123456789", name.size() - 2);
+  return last != std::string::npos && last + 2 < name.size() &&
+         std::isalnum(static_cast<unsigned char>(name[last])) == 0;
+}
+
 }  // namespace
 
 void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::string& place) {
@@ -21,12 +31,17 @@ void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::s
     result_.unused.push_back(called + ": its quantity is 0, it is optional");
     return;
   }
+  const std::string drawn_name = drawn.name;
   PiecePanel made = panel_of_piece(std::move(drawn));
   if (!made.fault.empty()) {
     warn(fmt::format("{} ({}): left out, {}", called, place, printable(made.fault, 300)));
     result_.unused.push_back(fmt::format("{} ({}): {}", called, place, printable(made.fault, 300)));
     return;
   }
+  if (count.said.empty() && ends_as_size_or_count(drawn_name))
+    warn(called +
+         ": the end of its name may be a size or a count; it is read as a size, and the "
+         "piece is not counted by it");
   for (const std::string& note : made.notes) warn(called + ": " + note);
   (made.on_sew_line ? on_sew_line_ : on_cut_line_) += 1;
   unfolded_ += made.unfolded > 0;

@@ -35,6 +35,14 @@ int number_of(const std::string& word) {
   if (is_one_of(word, {"two", "zwei", "deux", "dos", "due", "dois", "duas", "twee"})) return 2;
   if (is_one_of(word, {"three", "drei", "trois", "tres", "tre", "drie"})) return 3;
   if (is_one_of(word, {"four", "vier", "quatre", "cuatro", "quattro", "quatro"})) return 4;
+  if (is_one_of(word, {"five", "f\xc3\xbcnf", "cinq", "cinco", "cinque", "vijf"})) return 5;
+  if (is_one_of(word, {"six", "sechs", "seis", "sei", "zes"})) return 6;
+  if (is_one_of(word, {"seven", "sieben", "sept", "siete", "sette", "sete", "zeven"})) return 7;
+  if (is_one_of(word, {"eight", "acht", "huit", "ocho", "otto", "oito"})) return 8;
+  if (is_one_of(word, {"nine", "neun", "neuf", "nueve", "nove", "negen"})) return 9;
+  if (is_one_of(word, {"ten", "zehn", "dix", "diez", "dieci", "dez", "tien"})) return 10;
+  if (is_one_of(word, {"twelve", "zw\xc3\xb6lf", "douze", "doce", "dodici", "doze", "twaalf"}))
+    return 12;
   return -1;
 }
 
@@ -78,19 +86,29 @@ bool is_cut_word(const std::string& w) {
   return begins_as(w, {"zuschneid", "zuschnitt", "schneide", "couper", "coupez", "quantit",
                        "tagliare", "knippen", "cantidad", "quantidad", "quantity"}) ||
          is_one_of(w, {"cut", "cuts", "qty", "qte", "qtd", "qta", "anzahl", "menge", "cortar",
-                       "corte", "cant", "aantal", "pieces", "pcs", "stk"});
+                       "corte", "cant", "aantal", "pieces", "pcs", "stk", "amount"});
 }
 bool is_piece_word(const std::string& w) {
   return is_one_of(w, {"piece", "pieces", "pc", "pcs", "stk",
                        "st\xc3\xbc"
                        "ck",
-                       "stueck", "mal", "pezzi", "piezas",
+                       "stueck", "teil", "teile", "pezzi", "piezas",
                        "pi\xc3\xa8"
                        "ces",
-                       "fois", "veces", "volte",
                        "pe\xc3\xa7"
                        "as",
-                       "keer", "times", "off"});
+                       "off"});
+}
+/// Folds and stitches are made several times as well.
+bool is_times_word(const std::string& w) {
+  return is_one_of(w, {"times", "mal", "fois", "veces", "volte", "vezes", "keer"});
+}
+/// 1: the left hand, 2: the right hand, 0: none.
+int hand_of(const std::string& w) {
+  if (is_one_of(w, {"l", "left", "links", "linke", "gauche", "izquierda", "sinistra"})) return 1;
+  if (is_one_of(w, {"r", "right", "rechts", "rechte", "droite", "droit", "derecha", "destra"}))
+    return 2;
+  return 0;
 }
 bool is_pair_word(const std::string& w) {
   return is_one_of(
@@ -111,6 +129,7 @@ struct Found {
   std::size_t first = 0, last = 0;  ///< tokens
   int number = 0;
   bool pairs = false;
+  int other_hand = 0;  ///< said beside the number
 };
 
 class Finder {
@@ -141,6 +160,56 @@ class Finder {
   bool is_digits(std::size_t i) const {
     return i < tokens_.size() && tokens_[i].kind == Token::Kind::number;
   }
+  /// Inches of a number stand at it; a quotation may end there as well.
+  bool is_quote_unit(std::size_t i) const {
+    const std::string& sign = tokens_[i].text;
+    const std::string before = text_.substr(0, tokens_[i].begin);
+    return is_one_of(sign, {"\"", "'"}) && tokens_[i].begin == tokens_[i - 1].end &&
+           (std::count(before.begin(), before.end(), sign[0]) % 2 == 0 ||
+            (i >= 4 && is_digits(i - 4) && tokens_[i - 3].text == sign));
+  }
+  /// The number before it is a length, an angle or a share.
+  bool is_unit(std::size_t i) const {
+    if (i == 0 || i >= tokens_.size() || !is_digits(i - 1)) return false;
+    const std::string& unit = tokens_[i].text;
+    if (unit == "in") {  // "cut 2 in main fabric"
+      for (std::size_t k = i + 1; k < tokens_.size() && k < i + 4; ++k)
+        if (is_own_cloth(tokens_[k].text) || is_any_cloth(tokens_[k].text) ||
+            is_other_cloth(tokens_[k].text))
+          return false;
+      return true;
+    }
+    return is_one_of(unit, {"cm", "mm", "m", "inch", "inches", "zoll", "ft", "yd", "deg", "%",
+                            "degrees", "\xc2\xb0", "\xe2\x80\xb3", "\xe2\x80\xb2", "\xe2\x80\x9d",
+                            "\xe2\x80\x99"}) ||
+           is_quote_unit(i);
+  }
+  /// A number of a size: "2 cm", "2 x 3 cm".
+  bool is_measure(std::size_t i) const {
+    return is_unit(i + 1) || (is_any_x(i + 1) && is_digits(i + 2) && is_unit(i + 3));
+  }
+  bool is_any_x(std::size_t i) const { return is_word(i) && tokens_[i].text == "x"; }
+  /// A cut word in the same clause before the number, or beside what follows it.
+  bool speaks_of_cut(std::size_t i) const {
+    for (std::size_t k = i; k-- > 0 && !is_one_of(tokens_[k].text, {",", ";", "."});)
+      if (is_word(k) && is_cut_word(tokens_[k].text)) return true;
+    return is_word(i + 2) && is_cut_word(tokens_[i + 2].text);
+  }
+  /// "1 left, 1 right", "1+1": one number for each hand.
+  std::optional<Found> of_hands(std::size_t first, std::size_t k) const {
+    std::size_t i = k + 1;
+    const int one = is_word(i) ? hand_of(tokens_[i].text) : 0;
+    i += one > 0;
+    const bool plus = i < tokens_.size() && tokens_[i].text == "+";
+    if (i < tokens_.size() && is_one_of(tokens_[i].text, {",", "+", "/", "&", "and", "und", "et"}))
+      ++i;
+    if (!is_number(i) || is_measure(i)) return {};
+    const int other = is_word(i + 1) ? hand_of(tokens_[i + 1].text) : 0;
+    if (one + other != 3 && !(plus && one + other == 0)) return {};
+    Found found{first, i + (other > 0), tokens_[k].number};
+    found.other_hand = tokens_[i].number;
+    return found;
+  }
   /// A small x or the sign ×; "2X" is a size.
   bool is_times(std::size_t i) const {
     return is_word(i) && tokens_[i].text == "x" && text_[tokens_[i].begin] != 'X';
@@ -153,11 +222,22 @@ class Finder {
              (tokens_[k].text == ":" || tokens_[k].text == "=" || tokens_[k].text == "." ||
               is_cut_word(tokens_[k].text) || is_one_of(tokens_[k].text, {"a", "of", "x", "je"})))
         ++k;
-      if (is_number(k) && !is_fraction(k)) return with_unit(i, k, tokens_[k].number);
+      if (is_number(k) && !is_fraction(k) && !is_measure(k)) {
+        const std::optional<Found> hands = of_hands(i, k);
+        return hands ? *hands : with_unit(i, k, tokens_[k].number);
+      }
+      // "2.0" is the number 2.
+      if (is_number(k) && is_digits(k + 2) && is_fraction(k + 2) && !is_unit(k + 3) &&
+          tokens_[k + 2].text.find_first_not_of('0') == std::string::npos)
+        return with_unit(i, k + 2, tokens_[k].number);
       if (is_word(k) && is_pair_word(tokens_[k].text)) return Found{i, k, 1, true};
     }
-    if (is_times(i) && is_digits(i + 1) && is_number(i + 1) && (i == 0 || !is_digits(i - 1)) &&
-        !is_fraction(i + 1) && !(is_word(i + 2) && tokens_[i + 2].begin == tokens_[i + 1].end))
+    // "X2" is no size.
+    if ((is_times(i) ||
+         (is_any_x(i) && is_digits(i + 1) && tokens_[i].end == tokens_[i + 1].begin)) &&
+        is_digits(i + 1) && is_number(i + 1) && (i == 0 || !(is_digits(i - 1) || is_unit(i - 1))) &&
+        !is_measure(i + 1) && !is_fraction(i + 1) &&
+        !(is_word(i + 2) && tokens_[i + 2].begin == tokens_[i + 1].end))
       return with_unit(i, i + 1, tokens_[i + 1].number);
     if (is_number(i) && !is_fraction(i)) {
       const bool digits = is_digits(i);
@@ -165,6 +245,8 @@ class Finder {
       if (is_word(i + 1) && is_pair_word(tokens_[i + 1].text))
         return Found{i, i + 1, tokens_[i].number, true};
       if (is_word(i + 1) && is_piece_word(tokens_[i + 1].text))
+        return Found{i, i + 1, tokens_[i].number};
+      if (is_word(i + 1) && is_times_word(tokens_[i + 1].text) && speaks_of_cut(i))
         return Found{i, i + 1, tokens_[i].number};
     }
     if (is_word(i) && is_pair_word(tokens_[i].text) && tokens_[i].text != "pr")
@@ -187,7 +269,8 @@ class Finder {
     std::size_t k = number + 1;
     if (is_times(k) && !is_digits(k + 1)) found.last = k++;
     if (is_word(k) && is_pair_word(tokens_[k].text)) found.last = k, found.pairs = true;
-    if (is_word(k) && is_piece_word(tokens_[k].text)) found.last = k;
+    if (is_word(k) && (is_piece_word(tokens_[k].text) || is_times_word(tokens_[k].text)))
+      found.last = k;
     return found;
   }
 
@@ -215,7 +298,9 @@ class Finder {
     count.said =
         text_.substr(tokens_[found.first].begin, tokens_[last].end - tokens_[found.first].begin);
     const int n = found.number;
-    if (found.pairs) {
+    if (found.other_hand > 0) {
+      count.as_drawn = n, count.mirrored = found.other_hand;
+    } else if (found.pairs) {
       count.as_drawn = count.mirrored = n;
     } else if (same) {
       count.as_drawn = n;
@@ -284,7 +369,8 @@ std::optional<PieceCount> read_quantity(const std::string& value) {
     return found;
   }
   // "2 mirrored", "two".
-  if (!t.empty() && t[0].number >= 0 && (t.size() == 1 || t[1].kind == Token::Kind::word)) {
+  if (!t.empty() && t[0].number >= 0 &&
+      (t.size() == 1 || t[1].kind == Token::Kind::word || t[1].text == "(")) {
     const std::string as_words = "cut " + text;
     if (std::optional<PieceCount> found = find_quantity(as_words)) {
       found->said = text;
@@ -318,6 +404,7 @@ bool counts_pieces(const std::string& key) {
                           "quantit\xc3\xa0",
                           "quantidade",
                           "aantal",
+                          "amount",
                           "pieces",
                           "pcs",
                           "count",

@@ -19,8 +19,9 @@ std::optional<PieceCount> read_quantity(const std::string& value);
 /// A count in a text that says other things as well, by its words: "cut 2", "Qty: 2", "x2", "2x",
 /// "2 pcs", "1 pair", "cut two, mirrored", "cut 2 identical" (none mirrored), in English, German,
 /// French, Spanish, Italian, Portuguese and Dutch. A count of a lining, an interlining or a fusible
-/// is none of the garment's ("cut 2 from lining"). Sizes (2X, 100 x 100 mm) are no counts.
-/// \param rest what the text says beside the count, for the name of the piece; may be null
+/// is none of the garment's ("cut 2 from lining"). Sizes (2X, 100 x 100 mm) and lengths (2 cm) are
+/// no counts. "1 left, 1 right" and "1+1" after a word for cutting name both hands. \param rest
+/// what the text says beside the count, for the name of the piece; may be null
 std::optional<PieceCount> find_quantity(const std::string& text, std::string* rest = nullptr);
 
 /// Whether a key, without regard to case, counts pieces: quantity, qty, cut, Anzahl, …

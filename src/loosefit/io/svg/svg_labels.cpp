@@ -127,4 +127,6 @@ bool names_a_piece(const pattern::PieceWords& w) {
          w.neck || w.cuff || w.waist || w.hem;
 }
 
+bool names_cloth(const pattern::PieceWords& w) { return names_a_piece(w) || w.top; }
+
 }  // namespace loosefit::io

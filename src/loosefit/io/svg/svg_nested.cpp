@@ -61,11 +61,12 @@ std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<Svg
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!is_rectangle(closed[i])) continue;
     const pattern::PieceWords words = words_of_shape(*closed[i].shape);
-    if (names_a_piece(words) || words.top) continue;
+    if (names_cloth(words)) continue;
     const Vec2 size = box_of(closed[i].line.points).sizes();
     frame[i] = (page.minCoeff() > 0 && size.x() > kWholePage * page.x() &&
                 size.y() > kWholePage * page.y()) ||
-               covers_others(document, closed, i);
+               (!names_cloth(words_of_group(document, *closed[i].shape)) &&
+                covers_others(document, closed, i));
   }
   std::vector<SvgLine> kept;
   for (std::size_t i = 0; i < closed.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/io/pieces/cloth_words.h"
 #include "loosefit/io/svg/svg_labels.h"
 #include "loosefit/io/svg/svg_lines.h"
 #include "loosefit/io/svg/svg_marks.h"
@@ -24,6 +25,7 @@ constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
+constexpr double kClosedGap = 2e-3;    // between ends of a line that was meant to be closed [m]
 constexpr std::size_t kMostInner = 8;  // lines that one warning names
 
 /// Without what says how often it is cut; empty: it says nothing else.
@@ -51,7 +53,7 @@ class Sorter {
     for (std::size_t i = 0; i < closed_.size(); ++i)
       if (is_outline(i))
         pieces.push_back(piece_of_outline(i, pieces_of_group, pieces.size(), left));
-    chain_groups(pieces, pieces_of_group);
+    chain_groups(pieces, pieces_of_group, left);
     cut_lone_holes(pieces, left);
     give_marks(document_, unit_, marks_, places_, pieces, left);
     give_counts(document_, unit_, shapes_, places_, pieces);
@@ -187,13 +189,46 @@ class Sorter {
     return groups_with_pieces_->count(group) > 0;
   }
 
+  /// "Front 1:1 scale" is a front; a layer that is called "Page 2" holds pieces.
+  bool is_of_sheet(const SvgShape& shape, const pattern::PieceWords& own,
+                   const pattern::PieceWords& group) const {
+    if (names_cloth(own)) return false;
+    if (own.sheet || !group.sheet) return own.sheet;
+    const SvgGroup& round = document_.groups[innermost_group(shape)];
+    const std::vector<std::string> words = words_in(own_name(round.label, round.id));
+    return !names_cloth(group) && words != std::vector<std::string>{"page"};
+  }
+
+  /// Lines that nearly close, and others with the name of a piece, are cloth that was lost.
+  void tell_open(const std::set<int>& chained, LeftOut& left) const {
+    for (const SvgLine& open : open_) {
+      const std::vector<Vec2>& points = open.line.points;
+      const bool named = names_cloth(words_of_shape(*open.shape)) ||
+                         names_cloth(words_of_group(document_, *open.shape)) ||
+                         !own_name(open.shape->label, open.shape->id).empty();
+      const bool within = std::any_of(closed_.begin(), closed_.end(), [&](const SvgLine& piece) {
+        return lies_inside(points, piece.line.points);
+      });
+      if (named && !within && !chained.count(innermost_group(*open.shape)) && points.size() > 2 &&
+          std::abs(pattern::signed_area(points)) >= kSmallestPiece)
+        left.warnings.push_back(fmt::format(
+            "open line {}: left out, its ends are {:.3g} mm apart; close it if it is a piece",
+            called_line(*open.shape), 1e3 * (points.front() - points.back()).norm()));
+    }
+  }
+
   void gather(LeftOut& left) {
     std::vector<const SvgShape*> large_marks;
     for (const SvgShape& shape : document_.shapes) {
       const pattern::PieceWords own = words_of_shape(shape),
                                 group = words_of_group(document_, shape);
-      if (own.sheet || group.sheet) {
-        left.count("frames, legends and test squares", own_name(shape.label, shape.id));
+      if (is_of_sheet(shape, own, group)) {
+        const std::string name = own_name(shape.label, shape.id);
+        left.count("frames, legends and test squares", name);
+        if (!name.empty() && (!own.sheet || words_in(name).size() > 1) && encloses_a_piece(shape))
+          left.warnings.push_back("closed line " + called_line(shape) +
+                                  ": left out, it or its group is called after a page, a frame, a "
+                                  "scale or a title; called after a piece (front, back) it is one");
         continue;
       }
       // A piece, or the group round it, may be called "front on fold" or "notched collar".
@@ -226,6 +261,13 @@ class Sorter {
       if (points_ > kMostPoints)
         throw InvalidInput({file_, shape.line, {}},
                            fmt::format("lines with more than {} points", kMostPoints), "a pattern");
+      const double gap = (one.line.points.front() - one.line.points.back()).norm();
+      if (!one.line.closed && one.line.points.size() > 2 && gap <= kClosedGap &&
+          std::abs(pattern::signed_area(one.line.points)) >= kSmallestPiece) {
+        one.line.closed = true;
+        left.warnings.push_back(fmt::format("open line {}: closed, its ends are {:.3g} mm apart",
+                                            called_line(shape), 1e3 * gap));
+      }
       if (one.line.closed && one.line.points.size() > 2) {
         // Letters drawn as paths are many and small.
         one.area = std::abs(pattern::signed_area(one.line.points));
@@ -369,7 +411,9 @@ class Sorter {
   }
 
   /// Groups without a closed line whose open ones close together.
-  void chain_groups(std::vector<CountedPiece>& pieces, const std::map<int, int>& pieces_of_group) {
+  void chain_groups(std::vector<CountedPiece>& pieces, const std::map<int, int>& pieces_of_group,
+                    LeftOut& left) {
+    std::set<int> chained_groups;
     std::map<int, std::vector<const SvgLine*>> open;
     for (const SvgLine& run : open_) open[innermost_group(*run.shape)].push_back(&run);
     for (const auto& [group, runs] : open) {
@@ -395,8 +439,9 @@ class Sorter {
         places_.outlines.push_back(std::move(points));
         shapes_.push_back(runs[0]->shape);
       }
-      if (made > 0) chained_ += static_cast<int>(runs.size());
+      if (made > 0) chained_ += static_cast<int>(runs.size()), chained_groups.insert(group);
     }
+    tell_open(chained_groups, left);
   }
 
   const SvgDocument& document_;
