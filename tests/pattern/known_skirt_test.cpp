@@ -51,6 +51,22 @@ TEST(KnownSkirt, FourPlainGoresAreSewnSideToSideAndStayOpenAboveAndBelow) {
   EXPECT_FALSE(found.known.certain()) << "no name says which are before";
 }
 
+TEST(KnownSkirt, AHoleThatMayBeANeckLeavesItInDoubt) {
+  const auto is_certain = [](const std::string& name, double side) {
+    Pattern pattern;
+    pattern.panels = {gore("front", 0.6, 0.64), gore("back", 0.6, 0.64, 0.8)};
+    if (side > 0)
+      pattern.panels[0].holes = {
+          {name, {{0.2, 0.3}, {0.2 + side, 0.3}, {0.2 + side, 0.3 + side}, {0.2, 0.3 + side}}}};
+    return know_garment(pattern).certain();
+  };
+  EXPECT_TRUE(is_certain("", 0)) << "a skirt without a hole";
+  EXPECT_TRUE(is_certain("hole", 0.03));
+  EXPECT_TRUE(is_certain("pocket hole", 0.12));
+  EXPECT_FALSE(is_certain("hole", 0.12));
+  EXPECT_FALSE(is_certain("neck hole", 0.05));
+}
+
 TEST(KnownSkirt, AStripIsSewnToTheTopEdgesWithOneOfItsLongSides) {
   for (const int count : {2, 4}) {
     SCOPED_TRACE(count);

@@ -160,6 +160,17 @@ TEST_F(CheckWorn, ASkirtThatPassesNeitherHipsNorChestNeedsAFasteningAndIsWorn) {
   EXPECT_EQ(again.putting_on.reasons, narrow.putting_on.reasons);
 }
 
+TEST_F(CheckWorn, ADrapeWithATornRimTakesBackThatItCanBePutOn) {
+  CaseResult wide = tube(44, 56, 45, 60);
+  ASSERT_EQ(wide.putting_on.possible, true) << join(wide.putting_on.reasons, "; ");
+  doubt_putting_on(wide);
+  EXPECT_EQ(wide.putting_on.possible, true) << "nothing is torn";
+  for (Vec3& p : wide.garments.back().drape.positions) p *= 3;
+  doubt_putting_on(wide);
+  EXPECT_FALSE(wide.putting_on.possible.has_value());
+  EXPECT_NE(putting_on_verdict(wide.putting_on).find("not judged: as draped, "), std::string::npos);
+}
+
 TEST_F(CheckWorn, AWaistThatHasRisenIsToldOfPosturesAndOfGarmentsUnderOthers) {
   const CaseResult risen = tube(42, 42, 22, 50);
   const std::string kRisen = "the waistband lies", kEnd = "is too narrow for this body";

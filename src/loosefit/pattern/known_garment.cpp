@@ -44,7 +44,8 @@ class Knower {
       leggings();
     else if (trunks_.empty() && sleeves_.empty() && legs_.empty())
       skirt();
-    if (garment_.kind == "skirt") doubt_skirts_of_tops();
+    if (garment_.kind == "skirt")
+      for (const std::string& why : top_doubts(pattern_, garment_.pieces)) doubt(why);
     if (garment_.kind.empty()) return std::move(garment_);
     if (trunks_.size() == 2 && skirts_.size() == 2) skirt_below();
     hood();
@@ -435,14 +436,6 @@ class Knower {
     add("crotch_front", sides(left, 4), sides(right, 2));
     add("crotch_back", sides(left, 2), sides(right, 4));
     add_loop("waist", LoopKind::waist, 0, sides(left, 3), sides(right, 3));
-  }
-
-  /// Plain pieces may be of anything that is a tube.
-  void doubt_skirts_of_tops() {
-    for (int p = 0; p < static_cast<int>(pattern_.panels.size()); ++p)
-      if (garment_.pieces[p].role != PieceRole::unknown && words(p).top && !words(p).skirt)
-        doubt("piece " + printable(panel(p).name) +
-              " is of a top by its name, of a skirt by its shape");
   }
 
   /// Of front and back, or of gores.

@@ -27,7 +27,7 @@ struct KnownGarment {
 /// (known_skirt.h) by the sections of their outlines, by symmetry and by names; hoods at their neck
 /// (known_hood.h) and bands at their edges (known_bands.h); and how they are sewn. Doubts: pieces
 /// that are no part of it, lengths of a seam that differ by more than 2 % and that no band gathers,
-/// more than one way to tell a piece.
+/// more than one way to tell a piece, a hole in a skirt that may be a neck.
 KnownGarment know_garment(const Pattern& pattern);
 
 }  // namespace loosefit::pattern

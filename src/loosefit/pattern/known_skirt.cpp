@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "loosefit/base/text.h"
+#include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::pattern {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kSameLength = 0.02;  // of lengths that are sewn
 constexpr double kNarrower = 0.01;    // [m]
+constexpr double kHeadMayPass = 0.4;  // rim of a hole in cloth that gives [m] (judgement)
 
 struct Gore {
   int panel = 0;
@@ -77,6 +79,12 @@ void order(std::vector<Gore>& gores, KnownSkirt& skirt, const Pattern& pattern) 
   }
 }
 
+/// By its name, or because a head may pass.
+bool may_be_neck(const PanelHole& hole) {
+  const PieceWords words = words_of(hole.name);
+  return words.neck || (!words.pocket && rim_length(hole) >= kHeadMayPass);
+}
+
 }  // namespace
 
 KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels) {
@@ -122,6 +130,23 @@ std::vector<std::string> way_up_doubt(const Panel& panel, const KnownPiece& piec
       "piece " + printable(panel.name) +
       " is narrower at its lower end than at its upper one: either it tapers, or it lies on its "
       "head"};
+}
+
+std::vector<std::string> top_doubts(const Pattern& pattern, const std::vector<KnownPiece>& pieces) {
+  std::vector<std::string> doubts;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].role == PieceRole::unknown) continue;
+    const Panel& panel = pattern.panels[p];
+    const PieceWords words = words_of(panel);
+    if (words.top && !words.skirt)
+      doubts.push_back("piece " + printable(panel.name) +
+                       " is of a top by its name, of a skirt by its shape");
+    for (const PanelHole& hole : panel.holes)
+      if (may_be_neck(hole))
+        doubts.push_back("piece " + printable(panel.name) + " has a hole that may be a neck: " +
+                         printable(hole.name));
+  }
+  return doubts;
 }
 
 }  // namespace loosefit::pattern

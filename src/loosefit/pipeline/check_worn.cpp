@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "loosefit/base/text.h"
+#include "loosefit/drape/hood_seam.h"
+#include "loosefit/drape/limb_lines.h"
 #include "loosefit/drape/putting_on.h"
 #include "loosefit/drape/worn.h"
 #include "loosefit/maps/strain_range.h"
@@ -24,6 +28,20 @@ std::vector<std::string> overstrained(const garment::Garment& mesh, const patter
         100 * torn.share, torn.name, printable(material.name), torn.is_warp ? "warp" : "weft",
         100 * torn.largest, 100 * torn.limit));
   return found;
+}
+
+/// Whether a neck went over no head. In a hood the head is not through the opening.
+bool head_is_outside(const CaseGarment& garment, const body::PosedBody& body) {
+  const std::vector<drape::Opening> openings =
+      drape::garment_openings(garment.mesh(), garment.pattern.pattern, body);
+  const drape::LimbLines lines = drape::limb_lines(body);
+  if (lines[drape::kHead].empty()) return false;
+  return std::ranges::any_of(openings, [&](const drape::Opening& o) {
+    return o.use == kinds::OpeningUse::neck &&
+           drape::limbs_through_openings(o.loop, garment.drape.positions, lines) ==
+               drape::kRoundNothing &&
+           drape::hood_seam(garment.mesh(), openings, o).empty();
+  });
 }
 
 /// What is said of a garment, with its number and name where it is under the studied one.
@@ -105,6 +123,21 @@ PuttingOn judge_putting_on(const std::vector<CaseGarment>& garments,
       all.reasons.push_back(of_garment(reason, g, garments));
   }
   return all;
+}
+
+void doubt_putting_on(CaseResult& result) {
+  for (std::size_t g = 0; g < result.garments.size(); ++g) {
+    const CaseGarment& garment = result.garments[g];
+    const body::PosedBody& body = result.body.body;
+    std::vector<std::string> shown =
+        overstrained(garment.mesh(), garment.pattern.pattern, garment.drape.positions,
+                     result.scenario.garments[g].material.material, body);
+    if (head_is_outside(garment, body)) shown.push_back("the head is not through the neck opening");
+    if (shown.empty()) continue;
+    if (result.putting_on.possible == true) result.putting_on.possible = std::nullopt;
+    for (const std::string& reason : shown)
+      result.putting_on.reasons.push_back(of_garment("as draped, " + reason, g, result.garments));
+  }
 }
 
 std::string putting_on_verdict(const PuttingOn& putting_on) {

@@ -30,6 +30,10 @@ CaseState check_worn(CaseState state, const body::PosedBody& body, const CaseRes
 PuttingOn judge_putting_on(const std::vector<CaseGarment>& garments,
                            const scenario::Scenario& scenario, const body::PosedBody& body);
 
+/// Takes a "yes" back, with the reasons, where the drape of a garment is torn or its neck went over
+/// no head: girths alone do not tell what that drape shows.
+void doubt_putting_on(CaseResult& result);
+
 /// "yes", "not without a fastening: …" or "not judged: …" with the reasons; "not asked".
 std::string putting_on_verdict(const PuttingOn& putting_on);
 

@@ -126,6 +126,7 @@ CaseResult load_case(const std::filesystem::path& folder, Progress& progress) {
     check_body(folder / "body.vtp", result.body.body);
     result.take_drapes(check_worn(read_drapes(folder, result.garments), result.garments,
                                   result.scenario, result.body.body));
+    doubt_putting_on(result);
     clock.stage("body");
     result.wear = recall_wear(folder, result, clock);
     clock.stop();

@@ -37,6 +37,7 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
                                   clock);  // dress, settle
     result.take_drapes(
         check_worn(std::move(first.drapes), result.garments, result.scenario, result.body.body));
+    doubt_putting_on(result);
     at_once = drapes_at_once();
     result.wear = drape_states(result, std::move(first.session), at_once,
                                clock);  // postures, donnings

@@ -15,13 +15,14 @@ Vec3 up_the_trunk(const body::Body& body) {
   return (neck->second - pelvis->second).normalized();
 }
 
-/// The hems of what hangs on the shoulders.
+/// The hems of what hangs on the shoulders. A cape is left out: no sleeve keeps its neck in place,
+/// so the pull would draw the neck over the shoulders.
 std::vector<int> hem_vertices(const garment::Garment& garment, const pattern::Pattern& pattern,
                               const body::PosedBody& body) {
   const std::vector<Opening> openings = garment_openings(garment, pattern, body);
   std::vector<int> vertices;
   for (const Opening& hem : openings) {
-    if (hem.use != kinds::OpeningUse::hem && hem.use != kinds::OpeningUse::cape_hem) continue;
+    if (hem.use != kinds::OpeningUse::hem) continue;
     const bool hangs = std::any_of(openings.begin(), openings.end(), [&](const Opening& other) {
       return other.use == kinds::OpeningUse::neck && other.piece == hem.piece;
     });
