@@ -58,7 +58,7 @@ TEST_F(CommandLine, AGarmentThatIsNotWornIsCodeOneAndNamedInWords) {
       "case.toml", "[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n[garment]\npattern = \"" +
                        (base / "tube.json").string() +
                        "\"\n[output]\npreset_sites = false\n[simulation]\n"
-                       "edge_length = 0.05\ntime_budget = 60\n");
+                       "edge_length = 0.04\ntime_budget = 60\n");
   const std::string out = (base / "out").string(),
                     words = "the waistband has slid to ";  // a tube wider than the hips
   const ProgramRun run = loosefit("run " + scenario + " -o " + out + " --no-pictures");
