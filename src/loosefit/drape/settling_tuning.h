@@ -253,8 +253,8 @@ struct CertifyTuning {
 /// A drape that gets no nearer to rest is given up, and may start once more (recoveries.h).
 struct StallTuning {
   /// So many iterations on the finest level in which the lowest residual has not fallen to this
-  /// share of what it was [–]. A choice: with 800 a wide tube that comes to rest on the calves is
-  /// given up; one that snaps to and fro between two shapes never ends by itself.
+  /// share of what it was [–]. A choice: a tube that snaps to and fro between two shapes, or slides
+  /// down the legs, goes on for thousands.
   int iterations = 1500;
   double progress = 0.7;
   /// Cloth whose middle has sunk by so much meanwhile slides down the body, and does not start once
