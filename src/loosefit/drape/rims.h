@@ -12,7 +12,7 @@ namespace loosefit::drape {
 
 /// So many times the range over which a law was measured it is no law any more [–]: wovens have
 /// torn, and knits are some ten times stiffer there. A choice.
-inline constexpr double kFarBeyond = 3;
+inline constexpr double kFarBeyond = 2;
 
 /// Strain that cloth bears, by its valid strain and its stretch, 0 where they are not stated [–]:
 /// kFarBeyond times the first, or the second where that is more.
