@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "loosefit/maps/borne_strain.h"
+#include "loosefit/maps/cloth_strain.h"
 #include "loosefit/maps/definitions/trellis_shear.h"
 #include "loosefit/maps/strain.h"
 
@@ -31,9 +31,9 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
   range.weft.limit = material.valid_strain_weft;
   range.shear.limit = material.valid_shear;
   double total = 0;
-  const std::vector<geometry::DeformationGradient> gradients = borne_gradients(garment, positions);
+  const std::vector<ClothStrain> strains = cloth_strains(garment, positions, material);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const geometry::DeformationGradient& f = gradients[t];
+    const geometry::DeformationGradient& f = strains[t].yarns;
     const TriangleStrain strain = triangle_strain(f);
     if (!std::isfinite(strain.warp)) continue;  // no flat area
     const double area = geometry::flat_area(garment.triangle_uv[t]);
