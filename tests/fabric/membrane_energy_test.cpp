@@ -18,6 +18,14 @@ Material orthotropic() {
   m.poisson = 0.25;
   m.stiffness_shear = 60;
   m.damping = 0.05;
+  m.bending_warp = m.bending_weft = 1;  // too stiff to buckle
+  return m;
+}
+
+/// The same where it buckles long before the mesh could show it.
+Material limp(Material m) {
+  m.bending_warp = 2e-6;
+  m.bending_weft = 6e-6;
   return m;
 }
 
@@ -39,10 +47,9 @@ TEST(MembraneEnergy, ObeysTheLaws) {
   EXPECT_LT(energy.value(mesh.vertices), 1e-25);
 }
 
-TEST(MembraneEnergy, ObeysTheLawsWithCompressiveSofteningAndViscosity) {
+TEST(MembraneEnergy, ObeysTheLawsWithCrimpAndViscosity) {
   const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
-  Material m = orthotropic();
-  m.compression_factor = 0.1;
+  const Material m = limp(orthotropic());
   MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m, true);
   energy.begin_step(mesh.vertices, 0.01);
   const particles::VectorField x = shaken(mesh, 0.002);
@@ -87,10 +94,9 @@ TEST(MembraneEnergyWithCurves, ObeysTheLaws) {
   }
 }
 
-TEST(MembraneEnergyWithCurves, ObeysTheLawsWithCompressiveSofteningAndViscosity) {
+TEST(MembraneEnergyWithCurves, ObeysTheLawsWithCrimpAndViscosity) {
   const geometry::TriangleMesh mesh = support::sheet(0.03, 0.03, 0.01, 0.2);
-  for (Material m : {with_curves(), yielding()}) {
-    m.compression_factor = 0.2;
+  for (const Material& m : {limp(with_curves()), limp(yielding())}) {
     MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m, true);
     energy.begin_step(shaken(mesh, 0.0005), 0.01);
     const particles::VectorField x = shaken(mesh, 0.002);
@@ -99,18 +105,18 @@ TEST(MembraneEnergyWithCurves, ObeysTheLawsWithCompressiveSofteningAndViscosity)
   }
 }
 
-// Soft compression with a Poisson ratio: the stress has no jump where a strain changes its sign.
-TEST(MembraneEnergy, SoftCompressionHasNoJump) {
+// The stress has no jump where a strain changes its sign or a yarn buckles.
+TEST(MembraneEnergy, BucklingHasNoJumpAndATensileStripIsAsBefore) {
   const geometry::TriangleMesh mesh = support::sheet(0.02, 0.02, 0.01);
-  Material m = orthotropic();
-  m.compression_factor = 0.1;
+  const Material m = limp(orthotropic());
   const MembraneEnergy energy(mesh.triangles, support::flat_uv(mesh), {}, m);
   const auto stress = [&](double lu) {
     particles::VectorField x = mesh.vertices;
     for (Vec3& p : x) p = Vec3(lu * p[0], 1.1 * p[1], 0);
     return energy.state(0, x).stress;
   };
-  EXPECT_LT((stress(1 + 1e-9) - stress(1 - 1e-9)).norm(), 1e-5);
+  for (double lu = 0.8; lu < 1.1; lu += 1e-3)
+    EXPECT_LT((stress(lu + 1e-9) - stress(lu - 1e-9)).norm(), 1e-5) << lu;
   // A strip pulled along the warp with free width still shows K_v and ν.
   const double evv = 0.105;
   const double euu = -m.poisson * std::sqrt(m.stiffness_warp / m.stiffness_weft) * evv;

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
-#include "loosefit/maps/borne_strain.h"
 #include "loosefit/maps/catalogue.h"
 #include "loosefit/maps/vertex_reader.h"
 #include "support/tube_garment.h"
@@ -42,33 +41,6 @@ TEST(Strain, RigidMotionGivesZero) {
   for (const TriangleStrain& s : triangle_strains(g, positions))
     for (double value : {s.warp, s.weft, s.max, s.min}) EXPECT_NEAR(value, 0, 1e-12);
   for (double value : vertical_strain(g, positions)) EXPECT_NEAR(value, 0, 1e-12);
-}
-
-TEST(Strain, BorneStrainsAreMeansRoundVerticesAndAnglesTheirOwn) {
-  const garment::Garment g = testing::tube_garment(0.4, 0.3, 10, 8);
-  // Homogeneous: what every triangle has.
-  Eigen::Matrix<double, 3, 2> gradient;
-  gradient << 1.20, 0.30, 0.00, 0.95, 0.10, -0.20;
-  garment::Garment loose = loose_triangles();
-  for (const auto& f : borne_gradients(loose, mapped(loose, gradient)))
-    EXPECT_NEAR((f - gradient).norm(), 0, 1e-12);
-  // Every third vertex lies off its place, so that strains alternate.
-  std::vector<Vec3> positions;
-  for (int v = 0; v < g.vertex_count; ++v) {
-    const Vec2& uv = g.vertex_uv[v];
-    positions.push_back({uv.x(), 0, uv.y() + (v % 3 ? 0 : 1e-3)});
-  }
-  const auto borne = borne_gradients(g, positions);
-  double own_spread = 0, borne_spread = 0;
-  for (int t = 0; t < static_cast<int>(g.triangles.size()); ++t) {
-    const auto own = garment_gradient(g, t, positions);
-    own_spread += std::pow(own.col(1).norm() - 1, 2);
-    borne_spread += std::pow(borne[t].col(1).norm() - 1, 2);
-    for (int c = 0; c < 2; ++c)
-      EXPECT_NEAR(borne[t].col(c).normalized().dot(own.col(c).normalized()), 1, 1e-12);
-  }
-  EXPECT_GT(own_spread, 0);
-  EXPECT_LT(borne_spread, 0.3 * own_spread);
 }
 
 TEST(Strain, HomogeneousStretchAndShearAreExact) {

@@ -89,8 +89,9 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
     // Each layer stretches, bends and weighs as its own material says.
     const fabric::Material m = stable(layers[l].material, garment, options);
     const std::vector<Triangle> triangles = mesh_.triangles_of(l);
-    for (const bool gathered : {false, true})
-      add_membrane(garment, triangles, gathered, m, viscous);
+    membrane_.push_back(std::make_unique<fabric::MembraneEnergy>(
+        triangles, garment.triangle_uv, garment.triangle_membrane_factor, m, viscous,
+        garment.triangle_added_bending));
     bending_.push_back(std::make_unique<fabric::BendingEnergy>(triangles, garment.triangle_uv,
                                                                garment.triangle_added_bending, m,
                                                                viscous, garment.triangle_built_in));
@@ -136,24 +137,6 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   for (const auto& e : floor_) system_.energies.push_back(e.get());
   system_.energies.push_back(self_.get());
   system_.gravity = options.gravity;
-}
-
-void ClothModel::add_membrane(const garment::Garment& garment,
-                              const std::vector<Triangle>& triangles, bool gathered,
-                              fabric::Material material, bool viscous) {
-  std::vector<Triangle> of;
-  std::vector<std::array<Vec2, 3>> uv;
-  std::vector<double> factor;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const bool is_gathered = !garment.triangle_gathered.empty() && garment.triangle_gathered[t];
-    if (is_gathered != gathered) continue;
-    of.push_back(triangles[t]);
-    uv.push_back(garment.triangle_uv[t]);
-    factor.push_back(garment.triangle_membrane_factor[t]);
-  }
-  if (of.empty()) return;
-  if (gathered) material = fabric::gathered(material);
-  membrane_.push_back(std::make_unique<fabric::MembraneEnergy>(of, uv, factor, material, viscous));
 }
 
 void ClothModel::soften_body_contact(double thickness) {

@@ -95,12 +95,8 @@ class ClothModel {
   void recall(const ClothMemory& memory);
 
  private:
-  /// Of the triangles of a layer that lie in gathers, or of the others, if there are any.
-  void add_membrane(const garment::Garment& garment, const std::vector<Triangle>& triangles,
-                    bool gathered, fabric::Material material, bool viscous);
-
   ClothMesh mesh_;
-  std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // one or two a layer
+  std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // one a layer
   std::vector<std::unique_ptr<fabric::BendingEnergy>> bending_;
   std::vector<std::unique_ptr<fabric::BandEnergy>> bands_;
   std::unique_ptr<particles::GravityEnergy> gravity_;

@@ -21,7 +21,6 @@ struct Material {
   double stiffness_weft = 2000;   ///< K_u [N/m]
   double poisson = 0.15;          ///< ν of the membrane (geometric mean of ν_uv, ν_vu) [–]
   double stiffness_shear = 40;    ///< G, against trellis shear [N/m per rad]
-  double compression_factor = 1;  ///< option: stiffness ratio in compression, (0, 1]
   /// Measured laws that replace the stiffness of their direction (stress_curve.h); empty: linear.
   std::vector<CurvePoint> curve_warp, curve_weft, curve_shear;
   double bending_warp = 4.41e-6;  ///< B_v [N m]
@@ -44,16 +43,6 @@ struct Material {
   double gives_warp() const { return std::max(valid_strain_warp, stretch_warp); }
   double gives_weft() const { return std::max(valid_strain_weft, stretch_weft); }
 };
-
-/// Stiffness ratio in compression of cloth that lies in gathers finer than the mesh. Small against
-/// what gathers it, large enough for a sound tangent.
-inline constexpr double kGatheredCompression = 0.01;
-
-/// The same cloth in such gathers: it pulls where it is drawn flat, and hardly pushes.
-inline Material gathered(Material material) {
-  material.compression_factor = std::min(material.compression_factor, kGatheredCompression);
-  return material;
-}
 
 /// Multiplies everything that resists in the plane, curves included, by `share`.
 inline void scale_membrane(Material& material, double share) {

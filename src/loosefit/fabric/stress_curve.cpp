@@ -73,19 +73,17 @@ MonotoneCubic::Value MonotoneCubic::at(double x) const {
           p.a + s * (p.b + s * (p.c + s * p.d)), p.b + s * (2 * p.c + 3 * s * p.d)};
 }
 
-StressCurve StressCurve::linear(double stiffness, double compression_factor) {
+StressCurve StressCurve::linear(double stiffness) {
   StressCurve curve;
   curve.stiffness_ = stiffness;
-  curve.compression_ = compression_factor;
   return curve;
 }
 
-StressCurve StressCurve::tension(const std::vector<CurvePoint>& points, double compression_factor) {
+StressCurve StressCurve::tension(const std::vector<CurvePoint>& points) {
   StressCurve curve;
   curve.kind_ = Kind::tension;
   curve.law_ = MonotoneCubic(points);
   curve.stiffness_ = curve.law_.initial_slope();
-  curve.compression_ = compression_factor;
   return curve;
 }
 
@@ -107,12 +105,11 @@ StressCurve::Response StressCurve::at(double strain) const {
     return {f.integral, f.value / stretch,
             (f.slope * stretch - f.value) / (stretch * stretch * stretch)};
   }
-  const double k = strain < 0 ? compression_ * stiffness_ : stiffness_;
-  return {0.5 * k * strain * strain, k * strain, k};
+  return {0.5 * stiffness_ * strain * strain, stiffness_ * strain, stiffness_};
 }
 
 double StressCurve::smallest_tangent() const {
-  double least = std::min(1.0, compression_) * stiffness_;
+  double least = stiffness_;
   if (kind_ == Kind::linear) return least;
   constexpr int kSteps = 32;
   const std::vector<double>& knots = law_.knots();

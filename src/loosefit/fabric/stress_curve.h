@@ -38,12 +38,12 @@ class MonotoneCubic {
 /// A measured force f(λ) per reference width enters as S(E) = f(λ)/λ with E = (λ² − 1)/2, so that
 /// every elongation is met by the measured force (docs/theory/validation.md 1.2). Because S dE = f
 /// dλ, the energy is the integral of f over λ, and w″ = (f′ λ − f)/λ³. Compression (E < 0) is
-/// linear in E with the initial slope times the compression factor. Shear is odd in γ.
+/// linear in E with the initial slope. Shear is odd in γ.
 class StressCurve {
  public:
-  static StressCurve linear(double stiffness, double compression_factor = 1);
+  static StressCurve linear(double stiffness);
   /// \throws as MonotoneCubic.
-  static StressCurve tension(const std::vector<CurvePoint>& points, double compression_factor = 1);
+  static StressCurve tension(const std::vector<CurvePoint>& points);
   static StressCurve shear(const std::vector<CurvePoint>& points);
 
   struct Response {
@@ -58,7 +58,7 @@ class StressCurve {
  private:
   enum class Kind { linear, tension, shear };
   Kind kind_ = Kind::linear;
-  double stiffness_ = 0, compression_ = 1;
+  double stiffness_ = 0;
   MonotoneCubic law_;  ///< f(λ − 1), or S(γ)
 };
 

@@ -32,9 +32,6 @@ struct Garment {
   /// What pulls along paths; their triangles are those of the garment.
   std::vector<fabric::BandPart> bands;
 
-  /// Under an elastic, in gathers finer than the mesh, which do not push; empty: none.
-  std::vector<char> triangle_gathered;
-
   std::vector<char> triangle_built_in;  ///< held in a rigid clamp; empty: none
 
   /// Vertices along a panel edge in outline order, ends included.

@@ -1,6 +1,5 @@
 #include "loosefit/garment/lay_elastics.h"
 
-#include "loosefit/garment/covered_share.h"
 #include "loosefit/garment/lay_band.h"
 #include "loosefit/pattern/outline.h"
 
@@ -8,20 +7,6 @@ namespace loosefit::garment {
 namespace {
 
 constexpr int kPieces = 48;             // along an edge
-constexpr double kLeastCovered = 0.25;  // share of a triangle from which it is gathered
-
-void gather(Garment& g, int panel, const Cable& tape) {
-  PathStrip strip(tape.path, tape.width);
-  g.triangle_gathered.resize(g.triangles.size(), 0);
-  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
-    if (g.triangle_panel[t] != panel) continue;
-    const auto& [a, b, c] = g.triangle_uv[t];
-    if (strip.may_cover(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)) &&
-        covered_share(g.triangle_uv[t], strip) > kLeastCovered)
-      g.triangle_gathered[t] = 1;
-  }
-}
-
 /// The weight of a tape, along the edge: it is part of the garment, not a thing fixed to it.
 void add_mass(Garment& g, int panel, int edge, double mass) {
   for (const Garment::EdgeChain& chain : g.edge_chains) {
@@ -48,7 +33,6 @@ void lay_elastics(Garment& garment, const pattern::Pattern& pattern) {
       tape.axial_stiffness = elastic->stiffness;
       tape.pre_stretch = 1 / elastic->ratio - 1;
       lay_band(garment, p, tape);
-      gather(garment, p, tape);
       const double as_cut = elastic->ratio * pattern::edge_lengths(panel)[e];
       add_mass(garment, p, e, elastic->linear_density * as_cut);
     }

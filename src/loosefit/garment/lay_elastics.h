@@ -4,9 +4,8 @@
 
 namespace loosefit::garment {
 
-/// Lays the elastics along the edges of the panels (PanelEdge::elastic): the tapes into
-/// Garment::bands, the cloth under them into triangle_gathered, for cloth that pushed would carry a
-/// tape's tension by itself and keep it from the body. The weight of tapes is left out.
+/// Lays the elastics along the edges of the panels (PanelEdge::elastic) into Garment::bands. The
+/// cloth under them gathers by its own crimp (fabric/crimp_law.h).
 void lay_elastics(Garment& garment, const pattern::Pattern& pattern);
 
 }  // namespace loosefit::garment

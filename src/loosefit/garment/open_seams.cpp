@@ -16,7 +16,6 @@ OpenSeams open_seams(const Garment& sewn) {
   g.panel_parts = sewn.panel_parts;
   g.triangle_membrane_factor = sewn.triangle_membrane_factor;
   g.bands = sewn.bands;
-  g.triangle_gathered = sewn.triangle_gathered;
   g.triangle_added_bending.assign(sewn.triangles.size(), 0.0);
   g.area = sewn.area;
   g.mass = sewn.mass;

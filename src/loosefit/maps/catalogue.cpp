@@ -1,6 +1,7 @@
 #include "loosefit/maps/catalogue.h"
 
 #include "loosefit/maps/definitions/angular_deviation.h"
+#include "loosefit/maps/definitions/crimp.h"
 #include "loosefit/maps/definitions/distance.h"
 #include "loosefit/maps/definitions/gap.h"
 #include "loosefit/maps/definitions/orientation.h"
@@ -29,6 +30,7 @@ const std::vector<MapDefinition>& map_catalogue() {
       principal_strain_map(),
       distance_map(),
       angular_deviation_map(),
+      crimp_map(),
       pressure_map(),
       orientation_map(),
       gap_map(),

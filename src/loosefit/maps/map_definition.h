@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loosefit/fabric/material.h"
+#include "loosefit/maps/cloth_strain.h"
 #include "loosefit/maps/orientation.h"
 #include "loosefit/maps/orientation_error.h"
 #include "loosefit/maps/performance_map.h"
@@ -34,9 +35,9 @@ struct ClothOverSkin {
 // How a quantity is read off the worn cloth, in SI units. The same function gives the value at a
 // vertex and at a sample of a sensor's footprint.
 
-/// Of one triangle, from its deformation gradient; `direction` is that of the sensor in the pattern
-/// (unit, weft and warp), at a vertex the grain. At a vertex: mean over its triangles by flat area.
-using ReadGradient = double (*)(const geometry::DeformationGradient& f, const Vec2& direction);
+/// Of the cloth of one triangle; `direction` is that of the sensor in the pattern (unit, weft and
+/// warp), at a vertex the grain. At a vertex: mean over its triangles by flat area.
+using ReadCloth = double (*)(const ClothStrain& cloth, const Vec2& direction);
 /// Of one place and the skin under it.
 using ReadOverSkin = double (*)(const ClothOverSkin& at);
 /// Of a vertex field of the whole garment; at a sample linear over the triangle.
@@ -48,7 +49,7 @@ using ReadSlip = double (*)(const Slip& slip);
 /// Of the calibrated orientation error over postures: of a vertex, or of a footprint.
 using ReadError = double (*)(const ErrorSummary& error);
 using MapReading =
-    std::variant<ReadGradient, ReadOverSkin, ReadField, ReadOrientation, ReadSlip, ReadError>;
+    std::variant<ReadCloth, ReadOverSkin, ReadField, ReadOrientation, ReadSlip, ReadError>;
 
 /// How the samples under a sensor become one number of one state.
 enum class OverFootprint {
@@ -103,7 +104,7 @@ struct MapDefinition {
   std::string name;  ///< user's word: "strain"
   std::vector<MapArray> arrays;
   bool by_default = false;      ///< made when nothing is asked for
-  bool needs_material = false;  ///< the gap begins at the cloth's inner face
+  bool needs_material = false;  ///< the law of the cloth, or its thickness
   bool needs_forces = false;    ///< contact forces of the drape
   bool needs_postures = false;  ///< made of several postures, not asked for by name
   std::string made_with = {};   ///< the map that asks for this one, too; "": only its own name

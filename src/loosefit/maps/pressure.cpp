@@ -75,17 +75,11 @@ double contact_tolerance(const fabric::Material& material) {
 
 std::vector<Mat3> membrane_tension(const garment::Garment& garment, const std::vector<Vec3>& x,
                                    const fabric::Material& material) {
-  const auto states_of = [&](const fabric::Material& cloth) {
-    return fabric::MembraneEnergy(garment.triangles, garment.triangle_uv,
-                                  garment.triangle_membrane_factor, cloth)
-        .states(x);
-  };
-  std::vector<fabric::MembraneEnergy::State> states = states_of(material);
-  if (!garment.triangle_gathered.empty()) {
-    const auto in_gathers = states_of(fabric::gathered(material));
-    for (std::size_t t = 0; t < states.size(); ++t)
-      if (garment.triangle_gathered[t]) states[t] = in_gathers[t];
-  }
+  const std::vector<fabric::MembraneEnergy::State> states =
+      fabric::MembraneEnergy(garment.triangles, garment.triangle_uv,
+                             garment.triangle_membrane_factor, material, false,
+                             garment.triangle_added_bending)
+          .states(x);
   std::vector<Mat3> tension;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const geometry::DeformationGradient f =

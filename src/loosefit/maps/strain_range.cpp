@@ -7,7 +7,7 @@
 
 #include "loosefit/body/regions.h"
 #include "loosefit/drape/rims.h"
-#include "loosefit/maps/borne_strain.h"
+#include "loosefit/maps/cloth_strain.h"
 #include "loosefit/maps/definitions/trellis_shear.h"
 #include "loosefit/maps/strain.h"
 
@@ -40,9 +40,9 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
   range.weft.limit = material.valid_strain_weft;
   range.shear.limit = material.valid_shear;
   double total = 0;
-  const std::vector<geometry::DeformationGradient> gradients = borne_gradients(garment, positions);
+  const std::vector<ClothStrain> strains = cloth_strains(garment, positions, material);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
-    const geometry::DeformationGradient& f = gradients[t];
+    const geometry::DeformationGradient& f = strains[t].yarns;
     const TriangleStrain strain = triangle_strain(f);
     if (!std::isfinite(strain.warp)) continue;  // no flat area
     const double area = geometry::flat_area(garment.triangle_uv[t]);
@@ -69,8 +69,8 @@ std::vector<TornRegion> torn_regions(const garment::Garment& garment,
   };
   std::vector<TriangleStrain> strains;
   double torn_area = 0;
-  for (const geometry::DeformationGradient& f : borne_gradients(garment, positions)) {
-    if (is_torn(strains.emplace_back(triangle_strain(f))))
+  for (const ClothStrain& cloth : cloth_strains(garment, positions, material)) {
+    if (is_torn(strains.emplace_back(triangle_strain(cloth.yarns))))
       torn_area += geometry::flat_area(garment.triangle_uv[strains.size() - 1]);
   }
   if (torn_area <= kTornArea) return {};  // most garments: the skin need not be asked

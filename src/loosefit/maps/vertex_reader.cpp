@@ -1,7 +1,6 @@
 #include "loosefit/maps/vertex_reader.h"
 
 #include "loosefit/base/error.h"
-#include "loosefit/maps/borne_strain.h"
 
 namespace loosefit::maps {
 namespace {
@@ -23,12 +22,12 @@ std::vector<double> VertexReader::values(const MapArray& array) {
   return values;
 }
 
-std::vector<double> VertexReader::of(ReadGradient read) {
-  if (!gradients_) gradients_ = borne_gradients(input_.garment, input_.positions);
+std::vector<double> VertexReader::of(ReadCloth read) {
+  if (!strains_)
+    strains_ = cloth_strains(input_.garment, input_.positions, *input_.material);
   std::vector<double> per_triangle;
-  per_triangle.reserve(gradients_->size());
-  for (const geometry::DeformationGradient& f : *gradients_)
-    per_triangle.push_back(read(f, kGrain));
+  per_triangle.reserve(strains_->size());
+  for (const ClothStrain& cloth : *strains_) per_triangle.push_back(read(cloth, kGrain));
   return to_vertices(input_.garment, per_triangle);
 }
 

@@ -6,7 +6,7 @@
 
 namespace loosefit::maps {
 
-/// Reads arrays of maps at all vertices of one worn garment. What several arrays share (gradients,
+/// Reads arrays of maps at all vertices of one worn garment. What several arrays share (strains,
 /// orientations, slips, errors) is computed for the first that asks. Keeps a reference to the
 /// input.
 class VertexReader {
@@ -17,7 +17,7 @@ class VertexReader {
   std::vector<double> values(const MapArray& array);
 
  private:
-  std::vector<double> of(ReadGradient read);
+  std::vector<double> of(ReadCloth read);
   std::vector<double> of(ReadOverSkin read) const;
   std::vector<double> of(ReadField field) const { return field(input_); }
   std::vector<double> of(ReadOrientation read);
@@ -25,7 +25,7 @@ class VertexReader {
   std::vector<double> of(ReadError read);
 
   const MapInput& input_;
-  std::optional<std::vector<geometry::DeformationGradient>> gradients_;
+  std::optional<std::vector<ClothStrain>> strains_;
   std::optional<std::vector<Orientation>> orientations_;
   std::optional<std::vector<Slip>> slips_;
   std::optional<std::vector<ErrorSummary>> errors_;

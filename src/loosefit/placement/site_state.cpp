@@ -5,7 +5,6 @@
 #include "loosefit/base/error.h"
 #include "loosefit/geometry/nearest_rotation.h"
 #include "loosefit/geometry/principal_axes.h"
-#include "loosefit/maps/borne_strain.h"
 #include "loosefit/maps/statistics.h"
 
 namespace loosefit::placement {
@@ -40,7 +39,7 @@ StateMeter::StateMeter(const garment::Garment& garment, const fabric::Material& 
                        const WornState& state)
     : garment_(garment), material_(material), state_(state) {
   maps::require_fit(garment, {state.positions, state.body, state.worn});
-  gradients_ = maps::borne_gradients(garment, state.positions);
+  strains_ = maps::cloth_strains(garment, state.positions, material);
   const maps::MapInput input{garment, state.positions, state.worn, &material_, state.pressure};
   for (const FootprintReading& reading : footprint_readings()) {
     const auto* field = std::get_if<maps::ReadField>(&reading.array->read);
@@ -146,10 +145,10 @@ SkinUnderSensor StateMeter::skin_under(const SensorPatch& patch) const {
 std::vector<double> StateMeter::sample_values(const maps::MapArray& array, const SensorPatch& patch,
                                               const std::vector<Sample>& samples) const {
   std::vector<double> values(samples.size(), kNan);
-  if (const auto* of_gradient = std::get_if<maps::ReadGradient>(&array.read)) {
+  if (const auto* of_cloth = std::get_if<maps::ReadCloth>(&array.read)) {
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (samples[i].own_panel || !array.along_sensor)
-        values[i] = (*of_gradient)(gradients_[samples[i].triangle], samples[i].direction);
+        values[i] = (*of_cloth)(strains_[samples[i].triangle], samples[i].direction);
   } else if (const auto* over_skin = std::get_if<maps::ReadOverSkin>(&array.read)) {
     for (std::size_t i = 0; i < samples.size(); ++i)
       values[i] = (*over_skin)({samples[i].partner, samples[i].normal, &material_});

@@ -90,7 +90,7 @@ class StateMeter {
   const garment::Garment& garment_;
   fabric::Material material_;
   WornState state_;
-  std::vector<geometry::DeformationGradient> gradients_;  ///< of every triangle
+  std::vector<maps::ClothStrain> strains_;  ///< of every triangle
   /// Vertex fields [SI] of those arrays that are read of the whole garment, as far as known.
   std::map<const maps::MapArray*, std::vector<double>> fields_;
 };

@@ -22,13 +22,14 @@ inline MapDefinition strain_map() {
       .style = strain_style("strain_warp", "Strain along warp", "strain-warp"),
       .meaning =
           "Engineering strain along the grain: what a lead or a strain sensor sewn along the "
-          "warp feels. Above zero the yarns are stretched, below zero shortened or buckled. Free "
-          "of the mesh's edge directions. Under a sensor it is read along the sensor's own "
+          "warp feels. Above zero the yarns are stretched. Compressed yarns buckle in fine waves: "
+          "the map crimp shows these, and here the yarn keeps its own small compression. Free of "
+          "the mesh's edge directions. Under a sensor it is read along the sensor's own "
           "direction.",
-      .formula = "|F v| − 1, F = ∂x/∂(u, v) from pattern (weft u, warp v) to space",
+      .formula = "|F v| − 1, F = ∂x/∂(u, v) from pattern (weft u, warp v) to space, waves drawn straight",
       .source = "docs/theory/sensor_metrics.md 6",
-      .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2& along) {
-        return strain_along(f, along);
+      .read = ReadCloth([](const ClothStrain& cloth, const Vec2& along) {
+        return strain_along(cloth.yarns, along);
       }),
       .along_sensor = true,
       .metrics = {{"strain", "strain along the sensor", OverFootprint::mean, OverStates::reference},
@@ -40,10 +41,10 @@ inline MapDefinition strain_map() {
                     "the same sign.",
                 .formula = "|F u| − 1",
                 .source = "docs/theory/sensor_metrics.md 6",
-                .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
-                  return triangle_strain(f).weft;
+                .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
+                  return triangle_strain(cloth.yarns).weft;
                 })};
-  return {.name = "strain", .arrays = {warp, weft}, .by_default = true};
+  return {.name = "strain", .arrays = {warp, weft}, .by_default = true, .needs_material = true};
 }
 
 /// Strains in directions that the cloth chooses, not the sensor, and the paper's one; made wherever
@@ -69,17 +70,17 @@ inline MapDefinition principal_strain_map() {
                    "either yarn is not stretched at all.",
                .formula = "larger singular value of F, minus 1",
                .source = "docs/theory/sensor_metrics.md 6",
-               .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
-                 return triangle_strain(f).max;
+               .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
+                 return triangle_strain(cloth.yarns).max;
                })};
   MapArray min{.style = strain_style("strain_min", "Least principal strain", "strain-min"),
                .meaning =
-                   "The least strain of any direction; below zero the cloth is shortened or "
-                   "buckled, or sheared: turned yarns read about −tan(φ/2).",
+                   "The least strain of any direction; below zero the cloth is sheared: turned "
+                   "yarns read about −tan(φ/2). Fine waves are drawn straight (map crimp).",
                .formula = "smaller singular value of F, minus 1",
                .source = "docs/theory/sensor_metrics.md 6",
-               .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
-                 return triangle_strain(f).min;
+               .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
+                 return triangle_strain(cloth.yarns).min;
                })};
   MapArray slack{
       .style = {.array = "slack",
@@ -88,12 +89,12 @@ inline MapDefinition principal_strain_map() {
                 .pictured = false,
                 .companion = true},
       .meaning =
-          "Share of the triangles round a point whose least principal strain is below "
-          "−0.5 %: cloth that is buckled within an element, on which no strain sensor reads.",
-      .formula = "mean of [strain_min < −0.005] by flat area",
+          "Share of the triangles round a point that are shortened by more than 0.5 % in some "
+          "direction: cloth that is buckled within an element, on which no strain sensor reads.",
+      .formula = "mean of [smaller singular value of F < 0.995] by flat area, waves as they are",
       .source = "docs/theory/sensor_metrics.md 6",
-      .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
-        return slack_of(triangle_strain(f));
+      .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
+        return slack_of(triangle_strain(cloth.shape));
       }),
       .metrics = {{"slack", "share of the footprint that is buckled", OverFootprint::mean,
                    OverStates::greatest}}};
@@ -102,6 +103,7 @@ inline MapDefinition principal_strain_map() {
   return {.name = "principal-strain",
           .arrays = {vertical, max, min, slack},
           .by_default = true,
+          .needs_material = true,
           .made_with = "strain"};
 }
 

@@ -35,13 +35,14 @@ inline MapDefinition trellis_shear_map() {
                           "locks.",
                       .formula = "φ = atan2(F u · F v, |F u × F v|), F = ∂x/∂(u, v)",
                       .source = "Kawabata 1980 (shear angle of KES-F)",
-                      .read = ReadGradient([](const geometry::DeformationGradient& f, const Vec2&) {
-                        return trellis_shear(f);
+                      .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
+                        return trellis_shear(cloth.shape);
                       }),
                       .in_unit = in_degrees,
                       .metrics = {{"shear_angle_deg", "trellis shear of the cloth under the sensor",
                                    OverFootprint::mean, OverStates::reference}}}},
-          .by_default = true};
+          .by_default = true,
+          .needs_material = true};
 }
 
 }  // namespace loosefit::maps

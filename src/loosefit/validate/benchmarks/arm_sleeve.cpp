@@ -10,7 +10,7 @@
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/io/material_file.h"
 #include "loosefit/maps/air_gap.h"
-#include "loosefit/maps/borne_strain.h"
+#include "loosefit/maps/cloth_strain.h"
 #include "loosefit/maps/pressure.h"
 #include "loosefit/maps/strain.h"
 #include "loosefit/validate/bent_arm.h"
@@ -74,10 +74,10 @@ Reading drape_sleeve(const BentArm& arm, double ease, double edge, Progress& pro
       if (!std::isnan(gaps[v])) reading.gap += 1e3 * third * gaps[v], area += third;
   }
   reading.gap /= area;
-  const auto gradients = maps::borne_gradients(mesh, drape.positions);
+  const auto strains = maps::cloth_strains(mesh, drape.positions, material);
   const auto flat = geometry::flat_areas(mesh.triangle_uv);
-  for (std::size_t t = 0; t < gradients.size(); ++t) {
-    const maps::TriangleStrain strain = maps::triangle_strain(gradients[t]);
+  for (std::size_t t = 0; t < strains.size(); ++t) {
+    const maps::TriangleStrain strain = maps::triangle_strain(strains[t].yarns);
     reading.warp += flat[t] / mesh.area * std::pow(100 * strain.warp, 2);
     reading.weft += flat[t] / mesh.area * std::pow(100 * strain.weft, 2);
   }
