@@ -81,7 +81,7 @@ TEST(MapCatalogue, NamesUnitsAndRangesFitTogether) {
 
 TEST(MapCatalogue, KnowsWhatIsMadeByDefault) {
   EXPECT_EQ(default_map_names(),
-            (std::vector<std::string>{"strain", "shear", "distance", "angular-deviation"}));
+            (std::vector<std::string>{"strain", "shear", "distance", "angular-deviation", "crimp"}));
   for (const std::string& name : map_names()) EXPECT_FALSE(find_map(name)->needs_postures) << name;
   EXPECT_EQ(find_map("drape"), nullptr);
   EXPECT_EQ(find_map_array("gap_mm")->style.map, "gap");
@@ -96,9 +96,10 @@ TEST(MapCatalogue, LeadsWithWhatALeadFeelsAndKeepsPrincipalStrainBehindIt) {
     return Vec3(radius * std::cos(a), radius * std::sin(a), 0.4 + uv.y());
   });
   const body::PosedBody body = testing::cylinder_body(0.1, 1.0, 100, 20);
+  const fabric::Material material;
   const auto arrays = [&](const std::vector<std::string>& names) {
     std::vector<std::string> made;
-    for (const PerformanceMap& map : compute_maps(tube, drape, body, names))
+    for (const PerformanceMap& map : compute_maps(tube, drape, body, names, {.material = &material}))
       made.push_back(map.array);
     return made;
   };

@@ -54,7 +54,9 @@ TEST(TrellisShear, OfATwistedTubeIsThatOfItsScrewThread) {
     const double a = (uv.x() + gamma * uv.y()) / radius;
     return Vec3(radius * std::cos(a), radius * std::sin(a), 0.4 + uv.y());
   });
-  const auto maps = compute_maps(tube, drape, testing::cylinder_body(0.1, 1.0, 100, 20), {"shear"});
+  const fabric::Material material;
+  const auto maps = compute_maps(tube, drape, testing::cylinder_body(0.1, 1.0, 100, 20), {"shear"},
+                                 {.material = &material});
   ASSERT_EQ(maps.size(), 1u);
   EXPECT_EQ(maps[0].array, "shear_angle_deg");
   for (double angle : maps[0].values) EXPECT_NEAR(angle, degrees(std::atan(gamma)), 0.05);

@@ -28,7 +28,8 @@ TEST(TubeMaps, ConcentricTubeHasItsGapAndNoDeviation) {
       const double a = uv.x() / radius;
       return Vec3(radius * std::cos(a), radius * std::sin(a), 0.3 + uv.y());
     });
-    const auto maps = compute_maps(g, d, body);
+    const fabric::Material material;
+    const auto maps = compute_maps(g, d, body, default_map_names(), {.material = &material});
     const double facet = 1000 * kRadius * (1 - std::cos(kPi / 400));  // chord of the body mesh [mm]
     for (double gap : find(maps, "distance_mm").values)
       EXPECT_NEAR(gap, 1000 * kRadius * bgm, facet + 1e-6);
@@ -107,7 +108,8 @@ TEST(TubeMaps, TightTubeHasTheHoopStrainOfItsFit) {
     EXPECT_NEAR(girth.draped, 2 * kPi * kRadius, 1e-5);
     EXPECT_NEAR(girth.hoop_strain(), -bgm / (1 + bgm), 1e-5);
     EXPECT_TRUE(std::isnan(torso_girth(g, d.positions, worn, 0.9).hoop_strain()));
-    const auto maps = compute_maps(g, d, worn, {"strain"});
+    const fabric::Material material;
+    const auto maps = compute_maps(g, d, worn, {"strain"}, {.material = &material});
     for (double strain : find(maps, "strain_weft").values)
       EXPECT_NEAR(strain, -bgm / (1 + bgm), 1e-5);
   }
@@ -115,6 +117,8 @@ TEST(TubeMaps, TightTubeHasTheHoopStrainOfItsFit) {
 
 class SealedDrape : public ::testing::Test {
  protected:
+  fabric::Material material_;
+  MapOptions options_ = {.material = &material_};
   body::Body body_ = testing::cylinder_body(kRadius, 1.0, 24, 4);
   garment::Garment garment_ = testing::tube_garment(0.8, 0.2, 24, 4);
   drape::Drape drape_ = testing::settled_drape(garment_, [](const Vec2& uv) {
@@ -124,16 +128,16 @@ class SealedDrape : public ::testing::Test {
 };
 
 TEST_F(SealedDrape, IsRefusedUnlessAskedByName) {
-  EXPECT_NO_THROW(compute_maps(garment_, drape_, body_));
+  EXPECT_NO_THROW(compute_maps(garment_, drape_, body_, default_map_names(), options_));
   for (int fault = 0; fault < 3; ++fault) {
     drape::Drape bad = drape_;
     if (fault == 0) bad.certificate.residual = 2e-3;
     if (fault == 1) bad.certificate.intersections_body = 1;
     if (fault == 2) bad.certificate.intersections_self = -1;
-    EXPECT_THROW(compute_maps(garment_, bad, body_), Error) << fault;
-    EXPECT_EQ(
-        compute_maps(garment_, bad, body_, default_map_names(), {.allow_unsettled = true}).size(),
-        10u);
+    EXPECT_THROW(compute_maps(garment_, bad, body_, default_map_names(), options_), Error) << fault;
+    MapOptions by_name = options_;
+    by_name.allow_unsettled = true;
+    EXPECT_EQ(compute_maps(garment_, bad, body_, default_map_names(), by_name).size(), 14u);
   }
 }
 
@@ -149,7 +153,7 @@ TEST_F(SealedDrape, UnknownMapsAreNamedWithAHint) {
 
 TEST_F(SealedDrape, PositionsMustFitTheGarment) {
   drape_.positions.pop_back();
-  EXPECT_THROW(compute_maps(garment_, drape_, body_), InvalidInput);
+  EXPECT_THROW(compute_maps(garment_, drape_, body_, default_map_names(), options_), InvalidInput);
 }
 
 TEST(Angle, IsExactNearZeroAndBeyondARightAngle) {

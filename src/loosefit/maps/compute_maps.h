@@ -11,12 +11,12 @@ namespace loosefit::maps {
 struct MapOptions {
   bool allow_unsettled = false;                ///< make maps of a sealed drape all the same
   const PressureField* pressure = nullptr;     ///< needed by the map "pressure"
-  const fabric::Material* material = nullptr;  ///< needed by the map "gap"
+  const fabric::Material* material = nullptr;  ///< needed by maps of strain and "gap"
 };
 
 /// The sensor performance maps of one drape in the order of the catalogue (maps/catalogue.h), which
 /// says what each is. \throws InvalidInput for an unknown name, for "pressure" without a pressure
-/// field and "gap" without a material; Error for a drape that is not settled.
+/// field, for maps of strain and "gap" without a material; Error for a drape that is not settled.
 std::vector<PerformanceMap> compute_maps(
     const garment::Garment& garment, const drape::Drape& drape, const WornGarment& worn,
     const std::vector<std::string>& names = default_map_names(), const MapOptions& options = {});
