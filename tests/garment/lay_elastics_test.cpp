@@ -79,32 +79,11 @@ TEST(LayElastics, ATapeLiesWithinItsWidthOfItsEdge) {
   EXPECT_LT(high, 0.03 + 0.015);
 }
 
-TEST(LayElastics, TheClothUnderItLiesInGathers) {
-  pattern::Pattern square;
-  square.panels = {rectangle_panel("front", .4, .3)};
-  square.panels[0].edges[0].elastic = kTape;
-  for (const Garment& g : build_hierarchy(square, .01, {}).levels) {
-    ASSERT_EQ(g.triangle_gathered.size(), g.triangles.size());
-    for (std::size_t t = 0; t < g.triangles.size(); ++t) {
-      double low = 1, high = 0;
-      for (const Vec2& corner : g.triangle_uv[t])
-        low = std::min(low, corner.y()), high = std::max(high, corner.y());
-      if (high < kTape.width) {
-        EXPECT_TRUE(g.triangle_gathered[t]);
-      }
-      if (low > kTape.width) {
-        EXPECT_FALSE(g.triangle_gathered[t]);
-      }
-    }
-  }
-}
-
 TEST(LayElastics, AnEdgeWithoutOneHasNoBand) {
   pattern::Pattern square;
   square.panels = {rectangle_panel("front", .4, .3)};
   const Garment g = build_hierarchy(square, .02, {}).finest();
   EXPECT_TRUE(g.bands.empty());
-  EXPECT_TRUE(g.triangle_gathered.empty());
 }
 
 }  // namespace

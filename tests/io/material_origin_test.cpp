@@ -28,7 +28,7 @@ TEST(MaterialOrigin, CardAsItIsKeepsNameAndSource) {
   EXPECT_EQ(plain.material.name, "paper-cotton");
   EXPECT_EQ(plain.material.source, load_material("paper-cotton").material.source);
   EXPECT_EQ(from(plain, "poisson"), "card paper-cotton");
-  EXPECT_EQ(from(plain, "compression_factor"), "default");
+  EXPECT_EQ(from(plain, "bending_hysteresis_warp"), "default");
   EXPECT_EQ(own_constants_toml(plain), "");
 }
 

@@ -328,6 +328,11 @@ std::set<std::string> read_material_constants(ConfigReader& table, scenario::Mat
     m.*c.value = *value;
     set.insert(c.key);
   }
+  // Scenarios and results of earlier versions have it.
+  if (const auto value = table.optional_number(kRetiredConstant, {1e-3, 1, "a fraction"},
+                                               "of earlier files, without effect");
+      value && *value < 1)
+    card.notes.push_back(std::string(kRetiredConstant) + " has no effect: compressed cloth buckles");
   for (const std::string& key : set) {
     const auto conversion = converted.find(key);
     card.how[key] = conversion == converted.end() ? "" : conversion->second;

@@ -29,7 +29,7 @@ std::vector<std::string> material_names();
 scenario::MaterialCard load_material(const std::string& name);
 
 /// Reads a card. Every constant of Material is a key of the same name (SI) and required, except
-/// compression_factor and those of bending_poisson and bending hysteresis. A constant may instead
+/// those of bending_poisson and bending hysteresis. A constant may instead
 /// come from the table [kes] (material_kes.h), a stiffness from a measured curve [curve.warp],
 /// [curve.weft], [curve.shear] (material_curves.h). Instead of stiffness_warp/_weft a card may give
 /// the isotropic pair youngs_modulus [Pa] and elastic_thickness h [m]: K = E h, and
@@ -46,6 +46,8 @@ std::set<std::string> read_material_constants(ConfigReader& table, scenario::Mat
 
 /// Keys of all constants, in the order of the cards.
 std::vector<std::string> material_keys();
+/// A key of earlier files that is read without effect.
+inline constexpr const char* kRetiredConstant = "compression_factor";
 
 /// TOML lines `key = value` of all constants and curves; a stiffness with a curve is left out.
 std::string material_toml(const fabric::Material& material);
