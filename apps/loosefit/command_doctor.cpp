@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "exit_code.h"
+#include "loosefit/base/disk_cache.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
 #include "loosefit/base/resources.h"
@@ -55,12 +56,22 @@ std::string find_materials() {
   return fmt::format("{} cards in {}", names.size(), (data_directory() / "materials").string());
 }
 
+std::string find_cache() {
+  const std::filesystem::path folder = disk_cache::folder();
+  if (folder.empty()) return "off";
+  const disk_cache::Size size = disk_cache::size();
+  constexpr double kMega = 1 << 20;
+  return fmt::format("{}: {} files, {:.1f} MB of at most {:.0f}", folder.string(), size.files,
+                     static_cast<double>(size.bytes) / kMega, disk_cache::kMostBytes / kMega);
+}
+
 std::string find_screen() { return render::Screen().str(); }
 
 int examine(bool json) {
   std::vector<report::Finding> findings = {examine_one("body data", find_body_data),
                                            examine_one("materials", find_materials),
-                                           examine_one("screen", find_screen)};
+                                           examine_one("screen", find_screen),
+                                           examine_one("cache", find_cache)};
   if (!findings[2].ok) findings[2].hint += "; everything but pictures works without";
   const bool can_run = findings[0].ok && findings[1].ok;
   if (json)

@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
+#include "cache_flag.h"
 #include "exit_code.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/scenario.h"
@@ -53,6 +54,7 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
                    "unchanged files of Loosefit are replaced")
       ->required();
   command->add_flag("-q,--quiet", arguments->quiet, "no progress, no result table");
+  add_cache_flag(*command);
   add_json_flag(*command, arguments->json);
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
   return command;

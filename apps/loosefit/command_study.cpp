@@ -14,6 +14,7 @@
 #include <optional>
 #include <set>
 
+#include "cache_flag.h"
 #include "exit_code.h"
 #include "interrupted.h"
 #include "loosefit/base/error.h"
@@ -287,6 +288,7 @@ void make_run_command(CLI::App* parent, const std::shared_ptr<Arguments>& argume
       ->check(CLI::Range(0, 1024));
   command->add_option("--threads", arguments->runner.threads, "threads of each case")
       ->check(CLI::Range(1, 256));
+  add_cache_flag(*command);
   command->add_flag("--keep-output", arguments->runner.keep_output,
                     "also keep all files of each case, as of loosefit run");
   command->add_flag("--retry-failed", arguments->retry_failed,

@@ -27,6 +27,7 @@
 #include "command_validate.h"
 #include "exit_code.h"
 #include "interrupted.h"
+#include "loosefit/base/disk_cache.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/paths.h"
 #include "loosefit/base/resources.h"
@@ -181,6 +182,7 @@ int main(int count, char** arguments) {
   hold_standard_streams();
   meet_limits_as_errors();
   tell_installation();
+  disk_cache::turn_on(true);
   std::set_terminate(end_in_words);
   const ThreadLimit cores(0);
   const int exit_code = with_output_written(run_guarded(count, arguments));

@@ -38,7 +38,7 @@ std::vector<Candidate> candidates() {
       {"projected", "as default, with the projected Hessian alone", 3,
        newton([](solver::SolverTuning& t) {
          for (solver::MatrixTuning* m : {&t.matrix, &t.region.matrix})
-           m->exact = m->half_compression = m->mass_shift = false;
+           m->exact = m->half_compression = false;
        })},
       {"no-regions", "as default, without steps of regions", 3, newton([](solver::SolverTuning& t) {
          t.region.min_particles = std::numeric_limits<int>::max();

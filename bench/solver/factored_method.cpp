@@ -62,7 +62,7 @@ class Path : public solver::SearchLine {
 solver::MatrixTuning matrix_tuning(const MatrixUse& use) {
   solver::MatrixTuning tuning;
   tuning.exact = use.kind == MatrixUse::Kind::exact_or_projected;
-  tuning.half_compression = tuning.mass_shift = false;
+  tuning.half_compression = false;
   return tuning;
 }
 
@@ -137,7 +137,7 @@ class Factored : public solver::DescentMethod {
   bool refresh(const particles::VectorField& x, double per_dt2) {
     factor_per_dt2_ = per_dt2;
     used_ = 1;
-    const auto kind = matrix_.factorise(problem_, x, per_dt2);
+    const auto kind = solver::factorise(problem_, x, per_dt2, true, matrix_);
     has_factor_ = kind.has_value();
     exact_ = kind == solver::MatrixKind::exact;
     if (has_factor_ && !exact_ && rule_->multiplies())
@@ -217,7 +217,7 @@ class Factored : public solver::DescentMethod {
   FactoredOptions options_;
   std::unique_ptr<DirectionRule> rule_;
   FactoredProblem problem_;
-  solver::MatrixChoice matrix_;
+  solver::MatrixTuning matrix_;
   solver::StepTuning step_;
   solver::Iterate at_;
   bool has_factor_ = false, exact_ = false, retried_ = false, evaluated_ = false;

@@ -1,9 +1,13 @@
 #include "loosefit/flesh/soft_body.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <set>
 
+#include "loosefit/base/disk_cache.h"
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_fit.h"
 #include "loosefit/body/named_postures.h"
@@ -125,6 +129,30 @@ TEST(SoftBody, WhatOverlapsAtRestDoesNotKeepTheRestOfTheFleshFromGivingWay) {
 TEST(SoftBody, PosturesOutOfRangeAreRefused) {
   SoftBody person(body_model(), woman());
   EXPECT_THROW(person.in({radians(200), 0, 0}), InvalidInput);
+}
+
+TEST(SoftBody, TheDiskCacheChangesNoBit) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("loosefit-flesh-" + std::to_string(getpid()));
+  setenv("LOOSEFIT_CACHE", folder.c_str(), 1);
+  const std::vector<body::Posture> postures = {
+      {radians(8), 0, 0}, {}, {radians(12), radians(10), 0}, body::kStanding};
+  const auto surfaces = [&] {
+    SoftBody person(body_model(), woman());
+    std::vector<std::vector<Vec3>> all;
+    for (const body::Posture& posture : postures) all.push_back(person.in(posture)->surface.vertices);
+    return all;
+  };
+  const auto without = surfaces();
+  disk_cache::turn_on(true);
+  const auto cold = surfaces();
+  EXPECT_EQ(disk_cache::size().files, postures.size());
+  const auto warm = surfaces();
+  disk_cache::turn_on(false);
+  std::filesystem::remove_all(folder);
+  unsetenv("LOOSEFIT_CACHE");
+  EXPECT_EQ(cold, without);
+  EXPECT_EQ(warm, without);
 }
 
 }  // namespace

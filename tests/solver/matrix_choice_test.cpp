@@ -41,45 +41,22 @@ class Matrices : public NewtonProblem {
 
 constexpr double kNever = 1e300;
 
-/// Steps with the same matrices; what was asked in each.
-std::string ask(MatrixChoice& choice, Matrices& matrices, int steps, double per_dt2) {
-  std::string all;
-  for (int k = 0; k < steps; ++k) {
-    matrices.asked.clear();
-    choice.factorise(matrices, {}, per_dt2);
-    all += (k ? " " : "") + matrices.asked;
-  }
-  return all;
+constexpr bool kCalm = true;
+
+TEST(MatrixChoice, TakesTheExactMatrixAfterACalmStepAlone) {
+  Matrices m;
+  EXPECT_EQ(factorise(m, {}, 0, kCalm, {}), MatrixKind::exact);
+  EXPECT_EQ(factorise(m, {}, 0, !kCalm, {}), MatrixKind::half_compression);
+  EXPECT_EQ(m.asked, "e1h1");
 }
 
-TEST(MatrixChoice, StaysWithTheExactMatrixWhileItIsDefinite) {
+TEST(MatrixChoice, GoesOnUntilOneIsDefinite) {
   Matrices m;
-  MatrixChoice choice{MatrixTuning{}};
-  EXPECT_EQ(choice.factorise(m, {}, 0), MatrixKind::exact);
-  EXPECT_EQ(ask(choice, m, 3, 0), "e1 e1 e1");
-}
-
-TEST(MatrixChoice, PausesTwiceAsLongAfterEachFailure) {
-  Matrices m;
-  m.definite_from[particles::HessianKind::exact] =
-      m.definite_from[particles::HessianKind::half_compression] = kNever;
-  MatrixChoice choice{MatrixTuning{}};
-  // With inertia there is no mass shift. Pauses of 1, 2 and 4 steps.
-  EXPECT_EQ(ask(choice, m, 7, 1.0), "e0h0p1 p1 e0h0p1 p1 p1 e0h0p1 p1");
-}
-
-TEST(MatrixChoice, ShiftsTheExactMatrixByALittleInertiaInStaticStepsOnly) {
-  Matrices m;
-  m.definite_from[particles::HessianKind::exact] = 20;
-  MatrixTuning tuning;
-  MatrixChoice choice{tuning};
-  EXPECT_EQ(choice.factorise(m, {}, 0), MatrixKind::mass_shifted);
-  EXPECT_EQ(choice.factorise(m, {}, 0), MatrixKind::mass_shifted);  // 25/s²: still enough
-  EXPECT_EQ(m.shifts, (std::vector<double>{0, 100, 0, 25}));
-  EXPECT_EQ(choice.factorise(m, {}, 0), MatrixKind::half_compression);  // 6.25/s² is not
-  tuning.mass_shift = false;
-  MatrixChoice without{tuning};
-  EXPECT_EQ(without.factorise(m, {}, 0), MatrixKind::half_compression);
+  m.definite_from[particles::HessianKind::exact] = kNever;
+  EXPECT_EQ(factorise(m, {}, 0, kCalm, {}), MatrixKind::half_compression);
+  m.definite_from[particles::HessianKind::half_compression] = kNever;
+  EXPECT_EQ(factorise(m, {}, 0, kCalm, {}), MatrixKind::projected);
+  EXPECT_EQ(m.asked, "e0h1e0h0p1");
 }
 
 TEST(MatrixChoice, RegularisesASingularProjectedMatrixOrGivesUp) {
@@ -88,23 +65,21 @@ TEST(MatrixChoice, RegularisesASingularProjectedMatrixOrGivesUp) {
       m.definite_from[particles::HessianKind::half_compression] = kNever;
   m.definite_from[particles::HessianKind::projected] = 50;
   MatrixTuning tuning;
-  MatrixChoice choice{tuning};
-  EXPECT_EQ(choice.factorise(m, {}, 0.5), MatrixKind::regularised);
+  EXPECT_EQ(factorise(m, {}, 0.5, kCalm, tuning), MatrixKind::regularised);
   EXPECT_EQ(m.shifts.back(), 100.5);
   m.definite_from[particles::HessianKind::projected] = kNever;
-  EXPECT_EQ(choice.factorise(m, {}, 0.5), std::nullopt);
+  EXPECT_EQ(factorise(m, {}, 0.5, kCalm, tuning), std::nullopt);
   tuning.max_regularisations = 0;
   m.definite_from[particles::HessianKind::projected] = 50;
-  MatrixChoice without{tuning};
-  EXPECT_EQ(without.factorise(m, {}, 0.5), std::nullopt);
+  EXPECT_EQ(factorise(m, {}, 0.5, kCalm, tuning), std::nullopt);
 }
 
 TEST(MatrixChoice, LeavesOutTheKindsThatItsTuningLeavesOut) {
   Matrices m;
   MatrixTuning tuning;
   tuning.exact = tuning.half_compression = false;
-  MatrixChoice choice{tuning};
-  EXPECT_EQ(ask(choice, m, 2, 0), "p1 p1");
+  factorise(m, {}, 0, kCalm, tuning);
+  EXPECT_EQ(m.asked, "p1");
 }
 
 }  // namespace

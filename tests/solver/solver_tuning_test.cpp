@@ -32,7 +32,8 @@ TEST(SolverTuning, IsValidAsItStandsAndNamesWhatIsOutOfRange) {
   expect_named(complaint([](SolverTuning& t) { t.region.search.max_backtracks = 0; }),
                "max_backtracks");
   expect_named(complaint([](SolverTuning& t) { t.quasi_static.max_dt = 1; }), "max_dt");
-  expect_named(complaint([](SolverTuning& t) { t.matrix.min_mass_shift = 1e3; }), "min_mass_shift");
+  expect_named(complaint([](SolverTuning& t) { t.matrix.max_regularisations = -1; }),
+               "max_regularisations");
   expect_named(complaint([](SolverTuning& t) { t.precision.accuracy = std::nan(""); }),
                "precision.accuracy");
 }

@@ -74,7 +74,7 @@ bool is_caught(ClothState& state, double deepest) {
     // What was carried lies deep in the layer here and there: all of it would throw the cloth off.
     if (!state.is_as_worn())
       state.model->set_hardening(state.tuning.penetrations.look_hardening.front());
-    state.settle({.tolerance = tuning.plan.tolerance,
+    state.settle({.tolerance = tuning.caught_tolerance,
                   .max_iterations = tuning.longer * tuning.plan.iterations,
                   .first_dt = tuning.finest_first_dt,
                   .preparing = true});

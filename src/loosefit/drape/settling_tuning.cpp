@@ -101,6 +101,7 @@ Fields follow_fields(FollowTuning& t) {
       .length("shallow", t.shallow)
       .length("deeper", t.deeper)
       .length("caught_depth", t.caught_depth)
+      .residual("caught_tolerance", t.caught_tolerance)
       .time("first_dt", t.first_dt)
       .time("finest_first_dt", t.finest_first_dt)
       .number("no_turn", t.no_turn, 0, 0.1)

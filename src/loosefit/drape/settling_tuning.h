@@ -97,19 +97,18 @@ struct DisturbTuning {
 
 /// How a posture is followed: one step of the body, then settling.
 struct StepPlan {
-  double turn = 0.4;       ///< largest rotation of any skin in one step [rad]
-  double tolerance = 100;  ///< residual after a step [–]: no more than a stage on the way
-  int iterations = 25;     ///< for it, at most [–]
+  double turn = 0.4;        ///< largest rotation of any skin in one step [rad]
+  double tolerance = 1000;  ///< residual after a step [–]: no more than a stage on the way
+  int iterations = 8;       ///< for it, at most [–]: 25 of them gave the same drape; F, "Short steps"
 };
 
 /// The wearer moves once the garment is on (phases/wear_in.h); the body's steps are those of
 /// FollowTuning.
 struct WearInTuning {
-  /// Residual after a pull on the hem and after letting go [–]; as DisturbTuning::tolerance, well
-  /// below the pull itself.
-  double pull_tolerance = 5;
-  double first_dt = 0.02;    ///< first pseudo-step of both [s]; as FollowTuning::first_dt
-  int pull_iterations = 25;  ///< of both, at most [–]; as StepPlan::iterations
+  /// Residual after a pull on the hem and after letting go [–]: a stage on the way.
+  double pull_tolerance = 50;
+  double first_dt = 0.02;   ///< first pseudo-step of both [s]; as FollowTuning::first_dt
+  int pull_iterations = 8;  ///< of both, at most [–]; as StepPlan::iterations
 };
 
 /// The body moves, the cloth goes along.
@@ -117,7 +116,7 @@ struct FollowTuning {
   StepPlan plan = {};  ///< F; half the turn gave the same states at twice the fields
   /// Residual after a step, in StepPlan::tolerance, beyond which it is settled longer [–]: cloth
   /// pressed deep into the skin would be pulled through it on the next step. Experiment.
-  double lagging = 5;
+  double lagging = 50;
   /// Share of its displacement that one layer must be free to go, or the step is halved [–]: all of
   /// it but round-off. Otherwise the body would pass through the cloth.
   double free_share = 0.999;
@@ -135,6 +134,7 @@ struct FollowTuning {
   /// Depth in the skin near rest at which the cloth counts as caught between folds of skin [m];
   /// F, "Given up".
   double caught_depth = 0.005;
+  double caught_tolerance = 100;  ///< residual at which that is asked [–]; F, as above
   /// First pseudo-step after each step of the body [s]; chosen by experiment.
   double first_dt = 0.02;
   /// First pseudo-step on the finest level, before it is asked whether cloth is caught [s].
@@ -142,7 +142,7 @@ struct FollowTuning {
   /// Rotation below which a body has not moved [rad]: round-off of a posture.
   double no_turn = 1e-6;
   /// Settling longer has so many times the iterations of StepPlan [–]; chosen by experiment.
-  int longer = 8;
+  int longer = 25;
   /// A step may be shortened to this part of the usual one [–]: four halvings; D5, "The body waits
   /// for the cloth".
   int shortest = 16;

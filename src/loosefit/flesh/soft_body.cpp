@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "loosefit/base/build_id.h"
+#include "loosefit/base/disk_cache.h"
+#include "loosefit/base/sha256.h"
 #include "loosefit/flesh/soft_skin.h"
 #include "loosefit/geometry/exact_intersection.h"
 
 namespace loosefit::flesh {
 namespace {
 
-constexpr double kStep = 0.2;            ///< largest joint angle of one step on the way [rad]
+constexpr double kStep = 0.5;            ///< largest joint angle of one step on the way [rad]
 constexpr std::size_t kRemembered = 32;  ///< bodies; 9 MB each
 constexpr double kMargin = 0.05;         ///< of skin round what overlaps that may give way [m]
 
@@ -59,6 +63,11 @@ Overlaps overlaps_after(const body::Body& body, const Overlaps& before,
   return overlaps;
 }
 
+template <class Values>
+std::string_view bytes_of(const Values& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])};
+}
+
 }  // namespace
 
 Overlaps overlaps_of(const body::Body& body) {
@@ -87,6 +96,7 @@ body::Body displaced(body::Body body, const std::vector<Vec3>& moved) {
 }
 
 body::Body SoftBody::moved(body::Body body, const CachedDisplacement& cached) {
+  if (cached.vertex.empty()) return body;
   std::vector<Vec3> all(body.surface.vertices.size(), Vec3::Zero());
   for (std::size_t i = 0; i < cached.vertex.size(); ++i) all[cached.vertex[i]] = cached.moved[i];
   return displaced(std::move(body), all);
@@ -100,10 +110,7 @@ const body::BodyShape& SoftBody::shape() const {
 const SoftBody::CachedDisplacement& SoftBody::nearest(const body::Posture& posture) {
   if (cached_.empty()) {
     cached_.push_back({model_.rest_posture(parameters_), {}, {}});
-    const body::Body rest = as_built(cached_.front().posture);
-    rest_ = rest.surface.vertices;
-    const Overlaps overlaps = overlaps_of(rest);
-    overlaps_at_rest_ = {overlaps.begin(), overlaps.end()};
+    rest_ = built(cached_.front().posture);
   }
   const auto turn = [&](const CachedDisplacement& cached) {
     return turn_between(cached.posture, posture);
@@ -142,7 +149,8 @@ body::PosedBody SoftBody::in(const body::Posture& posture, Progress* progress) {
 }
 
 void SoftBody::merge_cache(const SoftBody& copy) {
-  if (cached_.empty()) rest_ = copy.rest_, overlaps_at_rest_ = copy.overlaps_at_rest_;
+  if (cached_.empty()) rest_ = copy.rest_;
+  if (!overlaps_at_rest_) overlaps_at_rest_ = copy.overlaps_at_rest_;
   const auto is_cached = [&](const body::Posture& posture) {
     return std::any_of(cached_.begin(), cached_.end(),
                        [&](const CachedDisplacement& cached) { return cached.posture == posture; });
@@ -157,38 +165,83 @@ void SoftBody::merge_cache(const SoftBody& copy) {
   }
 }
 
+const std::set<std::pair<int, int>>& SoftBody::overlaps_at_rest() {
+  if (!overlaps_at_rest_) {
+    const Overlaps overlaps = overlaps_of(as_built(model_.rest_posture(parameters_)));
+    overlaps_at_rest_.emplace(overlaps.begin(), overlaps.end());
+  }
+  return *overlaps_at_rest_;
+}
+
+bool SoftBody::is_free(const Overlaps& overlaps) {
+  return std::all_of(overlaps.begin(), overlaps.end(),
+                     [&](const auto& pair) { return overlaps_at_rest().count(pair) > 0; });
+}
+
 Overlaps SoftBody::left_in(const body::Body& posed) {
   Overlaps left = overlaps_of(posed);
-  if (left.empty()) return left;
-  if (cached_.empty()) nearest({});  // knows the creases from then on
-  std::erase_if(left, [&](const auto& pair) { return overlaps_at_rest_.count(pair) > 0; });
+  std::erase_if(left, [&](const auto& pair) { return overlaps_at_rest().count(pair) > 0; });
   return left;
 }
 
-bool SoftBody::is_free(const Overlaps& overlaps) const {
-  return std::all_of(overlaps.begin(), overlaps.end(),
-                     [&](const auto& pair) { return overlaps_at_rest_.count(pair) > 0; });
+SoftBody::Way SoftBody::led_to(const body::Posture& posture, const body::Body& stiff,
+                               Progress* progress) {
+  const Overlaps overlaps = overlaps_of(stiff);
+  if (overlaps.empty()) return {{posture, {}, {}}, true};
+  const auto from = [&](const CachedDisplacement& start, double margin) {
+    Way way{led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, margin), progress)};
+    way.is_free = is_free(overlaps_after(moved(stiff, way.there), overlaps, way.there.vertex));
+    return way;
+  };
+  const Way way = from(nearest(posture), kMargin);
+  // Otherwise what gave way met skin beyond the patch: all the way again, with more of it.
+  return way.is_free ? way : from(cached_.front(), 2 * kMargin);
+}
+
+std::string SoftBody::written(const Way& way) {
+  std::string bytes(1, way.is_free ? '1' : '0');
+  bytes += bytes_of(way.there.vertex);
+  return bytes += bytes_of(way.there.moved);
+}
+
+std::optional<SoftBody::Way> SoftBody::read_way(const std::string& bytes,
+                                                const body::Posture& posture) {
+  constexpr std::size_t kOne = sizeof(int) + sizeof(Vec3);
+  if (bytes.size() % kOne != 1) return std::nullopt;
+  const std::size_t n = bytes.size() / kOne;
+  Way way{{posture, std::vector<int>(n), std::vector<Vec3>(n)}, bytes[0] == '1'};
+  std::memcpy(way.there.vertex.data(), bytes.data() + 1, n * sizeof(int));
+  std::memcpy(static_cast<void*>(way.there.moved.data()), bytes.data() + 1 + n * sizeof(int), n * sizeof(Vec3));
+  return way;
+}
+
+std::string SoftBody::key_of(const body::Posture& posture, const body::Body& stiff,
+                             const CachedDisplacement& start) const {
+  std::string all = "flesh " + build_id();
+  for (double body::Posture::*number : body::kPostureNumbers)
+    for (const body::Posture* p : {&start.posture, &posture})
+      all += bytes_of(std::array{p->*number});
+  for (const std::vector<Vec3>* field : {&rest_, &stiff.surface.vertices, &start.moved})
+    all += bytes_of(*field);
+  return sha256_hex(all += bytes_of(start.vertex));
 }
 
 body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   body::Body stiff = as_built(posture);
-  const Overlaps overlaps = overlaps_of(stiff);
-  if (overlaps.empty()) return stiff;
-  const CachedDisplacement start = nearest(posture);
+  const CachedDisplacement& start = nearest(posture);
   if (turn_between(start.posture, posture) == 0) return moved(std::move(stiff), start);
-  CachedDisplacement there =
-      led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, kMargin), progress);
-  body::Body body = moved(stiff, there);
-  bool free = is_free(overlaps_after(body, overlaps, there.vertex));
-  if (!free) {
-    // What gave way met skin beyond the patch: all the way again, with more of it.
-    const CachedDisplacement rest = cached_.front();
-    there =
-        led_from(rest, posture, stiff, patch_round(stiff.surface, overlaps, 2 * kMargin), progress);
-    body = moved(stiff, there);
-    free = is_free(overlaps_after(body, overlaps, there.vertex));
+  const bool is_kept = !disk_cache::folder().empty();
+  const std::string key = is_kept ? key_of(posture, stiff, start) : std::string();
+  std::optional<Way> way;
+  if (const auto bytes = is_kept ? disk_cache::load(key) : std::nullopt)
+    way = read_way(*bytes, posture);
+  if (!way) {
+    way = led_to(posture, stiff, progress);
+    if (is_kept) disk_cache::store(key, written(*way));
   }
-  if (free) cached_.push_back(std::move(there));
+  if (way->there.vertex.empty()) return stiff;
+  body::Body body = moved(std::move(stiff), way->there);
+  if (way->is_free) cached_.push_back(std::move(way->there));
   return body;
 }
 

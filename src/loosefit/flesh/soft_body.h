@@ -1,6 +1,8 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,8 +41,9 @@ class SoftBody {
   /// As BodyModel::build; the displacement joins body.pose_from_rest, so that both still tell the
   /// same place. Skin without overlaps is left as it is, bit for bit. The way there starts from
   /// the rest posture or the nearest one that was asked for before, so the shape depends a little
-  /// on the order of questions; asked again, it is the same. `progress` hears of the way there, if
-  /// there is one. \throws as BodyModel::build, Cancelled.
+  /// on the order of questions; asked again, it is the same. The disk cache keeps each way, by its
+  /// start and its end. `progress` hears of the way there, if there is one. \throws as
+  /// BodyModel::build, Cancelled.
   body::PosedBody in(const body::Posture& posture, Progress* progress = nullptr);
 
   /// Pairs of triangles of this person's skin in some posture that pass through each other, though
@@ -76,13 +79,24 @@ class SoftBody {
     std::vector<Vec3> moved;  ///< of these vertices [m]
   };
   const CachedDisplacement& nearest(const body::Posture& posture);
+  /// The way to a body that is not as built; without vertices where nothing overlaps there.
+  struct Way {
+    CachedDisplacement there;
+    bool is_free = false;
+  };
+  Way led_to(const body::Posture& posture, const body::Body& stiff, Progress* progress);
+  static std::string written(const Way& way);
+  static std::optional<Way> read_way(const std::string& bytes, const body::Posture& posture);
+  std::string key_of(const body::Posture& posture, const body::Body& stiff,
+                     const CachedDisplacement& start) const;
   CachedDisplacement led_from(const CachedDisplacement& start, const body::Posture& posture,
                               const body::Body& body, const SkinPatch& patch,
                               Progress* progress) const;
   static body::Body moved(body::Body body, const CachedDisplacement& cached);
   const body::BodyShape& shape() const;
   /// Whether nothing overlaps but what does at rest, which no way from there can part.
-  bool is_free(const Overlaps& overlaps) const;
+  bool is_free(const Overlaps& overlaps);
+  const std::set<std::pair<int, int>>& overlaps_at_rest();
 
   const body::BodyModel& model_;
   body::BodyParameters parameters_;
@@ -90,7 +104,7 @@ class SoftBody {
   mutable std::shared_ptr<const body::BodyShape> shape_;
   std::vector<Vec3> rest_;  ///< surface in the rest posture [m]
   /// There, in creases that the shape of the body itself folds: shoulders of the old, for one.
-  std::set<std::pair<int, int>> overlaps_at_rest_;
+  std::optional<std::set<std::pair<int, int>>> overlaps_at_rest_;
   /// Without overlaps but for those at rest; the first is the rest posture.
   std::vector<CachedDisplacement> cached_;
   /// The first answers: donnings follow each other through the same postures.

@@ -7,7 +7,7 @@
 namespace loosefit::flesh {
 namespace {
 
-constexpr double kBetweenStops = 0.2;  ///< joint angle [rad]; that of a step on the way of flesh
+constexpr double kBetweenStops = 0.5;  ///< joint angle [rad]; that of a step on the way of flesh
 constexpr double kAtStop = 1e-9;       ///< of the way: round-off of a share
 
 }  // namespace

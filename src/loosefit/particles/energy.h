@@ -10,7 +10,7 @@ namespace loosefit::particles {
 /// One 3-vector per particle: positions [m], displacements [m], forces [N] or gradients [N].
 using VectorField = std::vector<Vec3>;
 
-/// Which second derivative the solver asks for (MatrixChoice decides).
+/// Which second derivative the solver asks for (solver/matrix_choice.h decides).
 enum class HessianKind {
   exact,             ///< the derivative of the gradient, possibly indefinite (see BendingTangent)
   half_compression,  ///< between the two: half of what makes element blocks indefinite is kept

@@ -1,6 +1,7 @@
 #include "loosefit/pattern/curve_chain.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "loosefit/pattern/curve.h"
 
@@ -29,12 +30,21 @@ double CurveChain::length(int pieces) const {
 }
 
 double CurveChain::length_until(int axis, double level) const {
-  double low = 0, high = length();
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (cut(middle).first.end()[axis] > level ? low : high) = middle;
+  double before = 0;
+  Vec2 a = start;
+  for (std::size_t i = 0; i < curves.size(); a = knots[i++]) {
+    if (knots[i][axis] > level) {
+      before += curve_length(curves[i], a, knots[i]);
+      continue;
+    }
+    double low = 0, high = 1;
+    for (int k = 0; k < 52; ++k) {
+      const double t = 0.5 * (low + high);
+      (curve_point(curves[i], a, knots[i], t)[axis] > level ? low : high) = t;
+    }
+    return before + curve_length(curves[i], a, knots[i], 0, high);
   }
-  return 0.5 * (low + high);
+  return before;
 }
 
 CurveChain CurveChain::reversed() const {
@@ -69,6 +79,7 @@ CurveChain CurveChain::turned(const Vec2& about, double angle) const {
 
 std::pair<CurveChain, CurveChain> CurveChain::cut(double arc) const {
   constexpr double kAtJoint = 1e-7;  // a shorter rest is no curve [m]
+  constexpr double kExact = 1e-14;   // [m]
   CurveChain before, after;
   before.start = start;
   std::size_t i = 0;
@@ -86,13 +97,17 @@ std::pair<CurveChain, CurveChain> CurveChain::cut(double arc) const {
   }
   after.start = a;
   if (i < curves.size() && rest > kAtJoint) {
-    double low = 0, high = 1;
-    for (int k = 0; k < 60; ++k) {
-      const double t = 0.5 * (low + high);
-      (curve_length(curves[i], a, knots[i], 0, t) < rest ? low : high) = t;
+    // Newton's method, kept between bounds.
+    double low = 0, high = 1, t = 0.5;
+    for (int k = 0; k < 60 && low < high; ++k) {
+      const double off = curve_length(curves[i], a, knots[i], 0, t) - rest;
+      if (std::abs(off) < kExact) break;
+      (off < 0 ? low : high) = t;
+      const double newton = t - off / curve_derivative(curves[i], a, knots[i], t).norm();
+      t = newton > low && newton < high ? newton : 0.5 * (low + high);
     }
-    const auto [first, second] = split_curve(curves[i], a, knots[i], high);
-    after.start = curve_point(curves[i], a, knots[i], high);
+    const auto [first, second] = split_curve(curves[i], a, knots[i], t);
+    after.start = curve_point(curves[i], a, knots[i], t);
     append(before, first, after.start);
     append(after, second, knots[i++]);
   }

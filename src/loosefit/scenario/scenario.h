@@ -62,7 +62,7 @@ struct ScenarioGarment {
 
 /// [simulation]
 struct ScenarioSimulation {
-  double edge_length = 0.010;  ///< wished triangle edge [m]
+  double edge_length = 0.014;  ///< wished triangle edge [m]
   std::string integrator = "quasi-static";
   std::uint64_t seed = 1;
   int repeats = 1;                ///< drapes from perturbed starts: folds are not unique

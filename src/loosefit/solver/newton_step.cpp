@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "loosefit/base/check.h"
 #include "loosefit/particles/vector_sums.h"
@@ -65,7 +66,8 @@ StepOutcome NewtonStep::take(NewtonProblem& problem, const InertiaTerm& inertia,
   if (!(outcome.force > min_force)) return outcome;
 
   // Direction: downhill for a definite matrix, but for round-off.
-  const auto kind = matrix_.factorise(problem, at.x, inertia.per_dt2());
+  const auto kind =
+      factorise(problem, at.x, inertia.per_dt2(), std::exchange(calm_, false), matrix_);
   if (!kind) return outcome;
   outcome.exact = *kind == MatrixKind::exact;
   particles::VectorField dx;
@@ -92,6 +94,7 @@ StepOutcome NewtonStep::take(NewtonProblem& problem, const InertiaTerm& inertia,
   std::swap(at, line.best());
   outcome.moved = true;
   outcome.share = found.t * extension;
+  calm_ = outcome.share >= tuning_.whole;
   outcome.below_round_off = found.below_round_off;
   extension_ = outcome.share > tuning_.whole * extension_
                    ? std::min(tuning_.max_extension, tuning_.extension_growth * extension_)

@@ -23,7 +23,7 @@ struct StepOutcome {
 
 /// One step of Newton's method for  min_x Π(x) + Σ m_i/(2 dt²) |x_i − x̂_i|²:  choose a definite
 /// matrix, solve for the direction, limit it by max_move and by collisions, search along it. Keeps
-/// what it learned (which matrices are definite, how far steps may be extended) between steps.
+/// what it learned (whether the last step was taken whole, how far steps may be extended).
 class NewtonStep {
  public:
   NewtonStep(const MatrixTuning& matrix, const LineSearchTuning& search, const StepTuning& step)
@@ -37,9 +37,10 @@ class NewtonStep {
   double max_move() const { return tuning_.max_move; }
 
  private:
-  MatrixChoice matrix_;
+  MatrixTuning matrix_;
   LineSearchTuning search_;
   StepTuning tuning_;
+  bool calm_ = true;  ///< the last step was taken whole
   double extension_;  ///< how far to look along a step whose matrix is not exact
 };
 

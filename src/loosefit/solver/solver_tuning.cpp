@@ -29,12 +29,6 @@ void validate_precision(const PrecisionTuning& p) {
 }
 
 void validate_matrix(const MatrixTuning& m) {
-  check_range("matrix.max_pause", m.max_pause, 1, kLarge);
-  check_range("matrix.min_mass_shift", m.min_mass_shift, 1e-12, kLarge);
-  check_order("matrix.min_mass_shift, first_mass_shift", m.min_mass_shift, m.first_mass_shift);
-  check_order("matrix.first_mass_shift, max_mass_shift", m.first_mass_shift, m.max_mass_shift);
-  check_range("matrix.mass_shift_decrease", m.mass_shift_decrease, 1, kLarge);
-  check_range("matrix.mass_shift_increase", m.mass_shift_increase, 1, kLarge);
   check_range("matrix.max_regularisations", m.max_regularisations, 0, 100);
   check_range("matrix.first_regularisation", m.first_regularisation, 1e-12, kLarge);
   check_range("matrix.regularisation_growth", m.regularisation_growth, 1, kLarge);

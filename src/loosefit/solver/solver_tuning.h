@@ -8,21 +8,10 @@ namespace loosefit::solver {
 // the figures are in bench/reports/engine.md. A number without a reason was found by trial and has
 // not been swept.
 
-/// Which matrix a Newton step takes (MatrixChoice).
+/// Which matrix a Newton step takes (matrix_choice.h).
 struct MatrixTuning {
   /// Kinds that are tried before the projected matrix.
   bool exact = true, half_compression = true;
-  /// Whether a static step tries the exact matrix with a mass shift. Pays for all particles; on a
-  /// region, whose border is held, it took longer (swept).
-  bool mass_shift = true;
-  /// Longest pause before a kind that was indefinite is tried again [steps].
-  int max_pause = 8;
-  /// Mass shift [1/s²]: the first, and its bounds. 1e4/s² holds a mode slower than 0.06 s, and then
-  /// the projected matrix is as good.
-  double first_mass_shift = 100, min_mass_shift = 1, max_mass_shift = 1e4;
-  /// The next shift is the last one divided by so much after a success, times so much after a
-  /// failure: it looks for the smallest one that does.
-  double mass_shift_decrease = 4, mass_shift_increase = 10;
   /// Regularised matrices that are tried after the projected one, their first shift [1/s²] and its
   /// growth. Cloth that is free to slide leaves the projected matrix singular; a shift of any size
   /// mends that, so the growth is coarse.
@@ -74,7 +63,7 @@ struct RegionTuning {
   /// Share of the region's force at which it is good enough: the border is held, which makes more
   /// of it pointless.
   double relaxed = 0.1;
-  MatrixTuning matrix{.mass_shift = false, .max_regularisations = 0};
+  MatrixTuning matrix{.max_regularisations = 0};
   /// A region that needs more halvings is left to the next step of all particles.
   LineSearchTuning search{.max_backtracks = 8, .accept_below_round_off = false};
   /// max_move is that of the step of all particles.

@@ -31,7 +31,7 @@ inline MapDefinition crimp_map() {
                  "warp, whichever is more: fine wrinkles of compressed cloth that no triangle "
                  "shows. A strain sensor there is slack, a board lies on waves.",
       .formula = "1 − |F d| / λ, λ the stretch of the yarn, d = u or v",
-      .source = "docs/decisions/0017",
+      .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
       .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
         return cloth.crimp.maxCoeff();
       }),
@@ -47,7 +47,7 @@ inline MapDefinition crimp_map() {
                 .companion = true},
       .meaning = "Root mean square slope of the waves that the crimp of both yarns makes.",
       .formula = "θ = √(2 (c_weft + c_warp))",
-      .source = "docs/decisions/0017",
+      .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
       .read = ReadCloth(
           [](const ClothStrain& cloth, const Vec2&) { return crimp_angle(cloth.crimp); }),
       .in_unit = in_degrees};
@@ -62,7 +62,7 @@ inline MapDefinition crimp_map() {
       .meaning = "Amplitude of sine waves one mesh edge long that hide the crimp: at most so far "
                  "does the cloth stand off its triangle.",
       .formula = "(h/π) √c, h the edge of the mesh",
-      .source = "docs/decisions/0017",
+      .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
       .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
         return crimp_amplitude(cloth.crimp.maxCoeff(), cloth.wavelength);
       }),
@@ -79,7 +79,7 @@ inline MapDefinition crimp_map() {
                  "below the mesh: what a point of the cloth turns by, not a board that bridges "
                  "the waves.",
       .formula = "√(AD² + θ²), θ the slope of the waves",
-      .source = "docs/decisions/0017",
+      .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
       .read = ReadField(deviation_with_crimp),
       .in_unit = in_degrees};
   return {.name = "crimp",

@@ -1,0 +1,15 @@
+#pragma once
+#include <CLI/App.hpp>
+#include <cstdlib>
+
+namespace loosefit {
+
+/// Adds `--no-cache` to a command: nothing is read from the disk cache or kept in it, by processes
+/// that the command starts neither.
+inline void add_cache_flag(CLI::App& command) {
+  command.add_flag_callback(
+      "--no-cache", [] { setenv("LOOSEFIT_CACHE", "off", 1); },
+      "make bodies anew instead of taking them from earlier runs");
+}
+
+}  // namespace loosefit
