@@ -140,11 +140,22 @@ def everyday(rng, schema):
     return case
 
 
+def with_few_drapes(case):
+    """Repeats and postures are the same work over and over: a few of them stand for many."""
+    for section in ("simulation", "donning"):
+        if isinstance(case.get(section, {}).get("repeats"), int):
+            case[section]["repeats"] = 1 + case[section]["repeats"] % 3
+    sweep = case.get("postures", {}).get("sweep") if isinstance(case.get("postures"), dict) else None
+    if isinstance(sweep, dict) and all(isinstance(sweep.get(key), (int, float)) for key in ("from", "to", "step")):
+        sweep["step"] = round(max(sweep["step"], abs(sweep["to"] - sweep["from"]) / 3), 2)
+    return case
+
+
 def draw(seed, case, schema):
     """Case number `case` of a seed, as plain values. The same for the same schema."""
     rng = random.Random(f"schema {seed} {case}")
     drawn = everyday(rng, schema) if rng.random() < 2 / 3 else table(rng, schema, rng.choice((0.05, 0.15, 0.4)))
-    return drawn
+    return with_few_drapes(drawn)
 
 
 def scenario(drawn, edge, budget):

@@ -67,7 +67,7 @@ double lowest(const Drape& drape) {
 
 TEST(FloorUnderCloth, ASkirtThatIsTooLongLiesOnIt) {
   const testing_support::Levels levels = testing_support::levels_of(woman());
-  const double length = levels.waist_height + 0.2;
+  const double length = levels.waist_height + 0.3;
   const pattern::Pattern pattern = testing_support::skirt(levels, 0.98, 1.3, length, 2);
   const Drape on_floor = draped(pattern, woman());
   EXPECT_TRUE(on_floor.certificate.settled())
@@ -102,7 +102,7 @@ TEST(FloorUnderCloth, ASkirtLiesOnItRoundOneFoot) {
   ASSERT_TRUE(floor);
   const testing_support::Levels levels = testing_support::levels_of(woman());
   const pattern::Pattern pattern =
-      testing_support::skirt(levels, 0.98, 1.3, levels.waist_height + 0.2, 2);
+      testing_support::skirt(levels, 0.98, 1.3, levels.waist_height + 0.3, 2);
   const Drape drape = draped(pattern, body);
   EXPECT_TRUE(drape.certificate.settled())
       << drape.certificate.stop_reason << (drape.unsettled ? drape.unsettled->why : "");

@@ -108,8 +108,8 @@ TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   EXPECT_EQ(s.studied().spec.fit.count("waist"), 0u);
   EXPECT_EQ(s.studied().material.material.name, "paper-cotton");
   EXPECT_EQ(s.studied().material.material.bending_warp, 4.41e-6);
-  EXPECT_EQ(s.simulation.edge_length, 0.010);
-  EXPECT_EQ(s.output.maps.size(), 4u);
+  EXPECT_EQ(s.simulation.edge_length, 0.014);
+  EXPECT_EQ(s.output.maps.size(), 5u);
 }
 
 TEST(Scenario, ReadsEveryKey) {

@@ -27,11 +27,13 @@ class Sites : public ::testing::Test {
       return Vec3(kTube * std::cos(a), kTube * std::sin(a), 0.35 + uv.y());
     });
     worn_ = maps::relate(garment_, drape_.positions, body_);
-    maps_ = maps::compute_maps(garment_, drape_, worn_);
+    maps_ = maps::compute_maps(garment_, drape_, worn_, maps::default_map_names(),
+                               {.material = &material_});
   }
   std::vector<Site> find(const std::vector<SiteSpec>& wished, bool presets = false) {
     return find_sites(garment_, drape_.positions, body_, worn_, maps_, wished, presets);
   }
+  fabric::Material material_;
   body::Body body_ = testing::cylinder_body(kRadius, 1.0, 200, 100);
   garment::Garment garment_;
   drape::Drape drape_;
@@ -355,7 +357,8 @@ TEST_F(Sites, SkinBelowAHemThatStandsOffIsNotCovered) {
                 0.41 + std::max(0.0, uv.y() - 0.06));
   });
   worn_ = maps::relate(garment_, drape_.positions, body_);
-  maps_ = maps::compute_maps(garment_, drape_, worn_);
+  maps_ = maps::compute_maps(garment_, drape_, worn_, maps::default_map_names(),
+                             {.material = &material_});
   body_.landmarks["under"] = {0, -kRadius, 0.36};
   body_.landmarks["edge"] = {0, -kRadius, 0.40};
   std::vector<UncoveredSite> uncovered;
@@ -374,7 +377,7 @@ TEST_F(Sites, ClothFarFromTheSkinCoversNone) {
   EXPECT_EQ(find({{"mine", "tube", {0.1, 0.2}}}).at(0).not_covering, "");
   for (Vec3& p : drape_.positions) p.x() += 0.3;
   worn_ = maps::relate(garment_, drape_.positions, body_);
-  maps_ = maps::compute_maps(garment_, drape_, worn_);
+  maps_ = maps::compute_maps(garment_, drape_, worn_, maps::default_map_names(), {.material = &material_});
   EXPECT_NE(find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering.find("310 mm off the skin"),
             std::string::npos)
       << find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering;

@@ -12,7 +12,7 @@ Vec2 curve_point(const EdgeCurve& curve, const Vec2& a, const Vec2& b, double t)
 Vec2 curve_derivative(const EdgeCurve& curve, const Vec2& a, const Vec2& b, double t);
 /// Arc length between two parameters [m]; five-point Gauss-Legendre on `pieces` equal parts.
 double curve_length(const EdgeCurve& curve, const Vec2& a, const Vec2& b, double t0 = 0,
-                    double t1 = 1, int pieces = 16);
+                    double t1 = 1, int pieces = 64);
 /// The same curve as two, cut at t (de Casteljau); the knot is curve_point(t).
 std::pair<EdgeCurve, EdgeCurve> split_curve(const EdgeCurve& curve, const Vec2& a, const Vec2& b,
                                             double t);

@@ -15,7 +15,7 @@ struct CurveChain {
   const Vec2& end() const { return knots.back(); }
   CurveChain& line_to(const Vec2& p);
   CurveChain& cubic_to(const Vec2& c1, const Vec2& c2, const Vec2& p);
-  double length(int pieces = 16) const;
+  double length(int pieces = 64) const;
   /// The parts before and after a point that lies so far along [m], 0 < arc < length(); a joint
   /// between two curves that lies there is where they part.
   std::pair<CurveChain, CurveChain> cut(double arc) const;

@@ -30,7 +30,7 @@ namespace loosefit::placement {
 /// | contact_duty                           | share of states with a contact ratio of at least 0.9|
 /// | pressure_kPa                           | mean over states of the footprint's mean            |
 /// | pressure_min_kPa, pressure_swing_kPa   | least over states, swing of the footprint's mean    |
-/// | strain                                 | in the reference posture                            |
+/// | strain, crimp                          | in the reference posture                            |
 /// | strain_swing                           | swing                                               |
 /// | slack                                  | greatest over states                                |
 /// | slip_mm                                | greatest over states, each against the reference    |

@@ -78,7 +78,7 @@ struct ScenarioSimulation {
 
 /// [output]
 struct ScenarioOutput {
-  std::vector<std::string> maps = {"strain", "shear", "distance", "angular-deviation"};
+  std::vector<std::string> maps = {"strain", "shear", "distance", "angular-deviation", "crimp"};
   std::vector<std::string> views = {"front", "back"};
   bool undecorated = true;         ///< also pictures of the plain drape
   bool preset_sites = true;        ///< scapulae, back, chest, … in addition to [[site]]
