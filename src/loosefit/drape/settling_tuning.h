@@ -105,8 +105,9 @@ struct StepPlan {
 /// The wearer moves once the garment is on (phases/wear_in.h); the body's steps are those of
 /// FollowTuning.
 struct WearInTuning {
-  /// Residual after a pull on the hem and after letting go [–]: a stage on the way.
-  double pull_tolerance = 50;
+  /// Residual after a pull on the hem and after letting go [–]: well below the pull itself, which is
+  /// about 20.
+  double pull_tolerance = 5;
   double first_dt = 0.02;   ///< first pseudo-step of both [s]; as FollowTuning::first_dt
   int pull_iterations = 8;  ///< of both, at most [–]; as StepPlan::iterations
 };
