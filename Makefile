@@ -78,6 +78,7 @@ test-slurm: setup
 	@tools/setup_packages.sh slurm
 	@$(if $(filter 0,$(shell id -u)),,sudo) python3 tests/slurm/slurm_test.py $(LOOSEFIT) --people 5 --kills 3
 
+test asan: export LOOSEFIT_CACHE = $(CURDIR)/$(BUILD)/cache
 test: setup
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j $(JOBS)
