@@ -373,7 +373,21 @@ void note_draft(const Node& root, PatternFile& file) {
                     kDraftKey));
 }
 
+/// Text that does not even begin as JSON is another thing, told by how it begins.
+void refuse_other_text(const std::string& text, const std::string& file) {
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos || text[start] == '{' || text[start] == '[') return;
+  const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+  const std::string advice = advice_by_name(file);
+  throw InvalidInput({file, 0, {}},
+                     "a file of no known kind that begins with \"" +
+                         printable(text.substr(start, std::min<std::size_t>(end - start, 40))) +
+                         '"',
+                     kExpected, advice + (advice.empty() ? "" : "; ") + kPatterns);
+}
+
 Json parse_json(const std::string& text, const std::string& file) {
+  refuse_other_text(text, file);
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {

@@ -174,6 +174,7 @@ Unfolded unfold_piece(DrawnPiece& piece) {
         result.notes.push_back("its mirror line runs through it: taken as a whole piece");
         break;
       case Fold::beside:
+        result.beside = true;
         result.notes.push_back("no part of its outline lies on its mirror line: not unfolded");
         break;
     }
