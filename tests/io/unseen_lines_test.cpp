@@ -218,7 +218,7 @@ TEST(UnseenLines, ClosedLinesOfElementsThatDrawNothingAreInTheAccount) {
 TEST(UnseenLines, TestSquaresAndBordersAreNoPanelsAndAreNamed) {
   std::mt19937 draw(64);
   std::uniform_real_distribution<double> place(720, 1000);
-  for (const double side : {20.0, 25.4, 40.0, 50.0, 50.8, 100.0, 101.6}) {
+  for (const double side : {25.4, 30.0, 40.0, 50.0, 50.8, 100.0, 101.6}) {
     const PatternFile file = parse_svg_pattern(
         svg(path("id=\"path1\"", 5, 5, 1190, 890) + kFront +
             path("", place(draw), place(draw) - 300, side, side)), "s.svg");

@@ -100,6 +100,7 @@ constexpr const char* kPicture =
 constexpr const char* kPoints = "points without faces are no surface: mesh them first, as MeshLab does";
 constexpr const char* kProject = "export the pattern there as DXF (AAMA or ASTM), or the avatar as OBJ";
 constexpr const char* kPlot = "export the pattern as DXF-AAMA or SVG instead";
+constexpr const char* kPrint = "a plot or print file (PCL)";
 constexpr const char* kUnpack = "unpack it and name a file in it";
 constexpr const char* kTable = "save its table as CSV UTF-8";
 
@@ -169,7 +170,10 @@ constexpr Signature kSignatures[] = {
     {"LA:"sv, 0, "an embroidery (DST)", kPlot},
     {"\x1b%"sv, 0, "a plot file (HPGL)", kPlot},
     {"\x1b."sv, 0, "a plot file (HPGL)", kPlot},
-    {"\x1b"sv, 0, "a plot or print file, which begins with an escape sequence", kPlot},
+    {"\x1b" "E"sv, 0, kPrint, kPlot},
+    {"\x1b("sv, 0, kPrint, kPlot},
+    {"\x1b&"sv, 0, kPrint, kPlot},
+    {"\x1b*"sv, 0, kPrint, kPlot},
     {"\x02P"sv, 0, "a motion (C3D)", kMotion},
     {"SQLite format 3"sv, 0, "a database (SQLite)", ""},
     {"version https://git-lfs.github.com"sv, 0, "a Git LFS pointer, not the file it stands for",

@@ -18,8 +18,8 @@ namespace {
 constexpr double kWholePage = 0.95;  // of its width and height
 constexpr double kInHole = 1e-3;  // a hole lies in a piece with a point that is so deep in it [m]
 // Sides of squares by which the scale of a print is checked [m]: whole centimetres and inches.
-constexpr double kTestSides[] = {0.02,   0.025,  0.0254, 0.03,  0.04, 0.05,
-                                 0.0508, 0.0762, 0.1,    0.1016, 0.2};
+constexpr double kTestSides[] = {0.025,  0.0254, 0.03, 0.04,   0.05,
+                                 0.0508, 0.0762, 0.1,  0.1016, 0.2};
 constexpr double kSameSide = 3e-4;     // as drawn [m]
 constexpr double kShareOfTest = 0.15;  // of the largest piece, at most
 constexpr double kTextBeside = 0.03;  // of a text from the line that it names [m]
