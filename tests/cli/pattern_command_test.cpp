@@ -95,9 +95,9 @@ TEST_F(PatternCommand, DraftsForTheBodyOfAFileAsForThatOfAScenario) {
 }
 
 TEST_F(PatternCommand, RefusesAMeasureThatWasGivenAndAdaptsOneThatWasNot) {
-  const ProgramRun given = pattern("--arm-length 0.15 --sleeve-length 1");
+  const ProgramRun given = pattern("--arm-length 0.19 --sleeve-length 1");
   EXPECT_EQ(given.exit_code, 2);
-  EXPECT_NE(given.output.find("error: measures.arm_length: found 0.15 m"), std::string::npos)
+  EXPECT_NE(given.output.find("error: measures.arm_length: found 0.19 m"), std::string::npos)
       << given.output;
   const ProgramRun adapted = pattern("--pattern t-shirt --arm-length 0.3");
   EXPECT_EQ(adapted.exit_code, 0) << adapted.output;

@@ -295,5 +295,51 @@ TEST(UnseenLines, TextsThatAreNotReadAreInTheAccount) {
   EXPECT_TRUE(tells(file.warnings, "its text \"cut both left\" may say how often"));
 }
 
+TEST(UnseenLines, ClosedLinesOfADxfThatLieInNoOutlineAreNamed) {
+  for (const int layer : {11, 84}) {
+    DxfText d;
+    d.section("BLOCKS").block("F").note("Piece Name: FRONT");
+    closed_line(d, 1, rectangle(0, 0, 500, 700), Hide::not_at_all);
+    closed_line(d, layer, rectangle(700, 100, 90, 80), Hide::not_at_all);
+    d.end_block().end_section().section("ENTITIES").note("Units: METRIC").end_section();
+    const PatternFile file = parse_dxf_pattern(d.text() + "0\nEOF\n", "c.dxf");
+    ASSERT_EQ(file.pattern.panels.size(), 1u);
+    EXPECT_TRUE(file.pattern.panels[0].holes.empty());
+    EXPECT_TRUE(tells(file.warnings, fmt::format("on layer {}", layer))) << layer;
+  }
+}
+
+TEST(UnseenLines, TestSquaresAndTitlesOfADxfAreNoPieces) {
+  for (const char* name : {"TEST SQUARE", "Testquadrat Test Square", "Title block", "SCALE 10cm",
+                           "Page frame"}) {
+    DxfText d;
+    d.section("BLOCKS");
+    for (const char* called : {"FRONT", name}) {
+      d.block(called).note(std::string("Piece Name: ") + called);
+      closed_line(d, 1, rectangle(0, 0, 500, 700), Hide::not_at_all);
+      d.end_block();
+    }
+    d.end_section().section("ENTITIES").note("Units: METRIC").end_section();
+    const PatternFile file = parse_dxf_pattern(d.text() + "0\nEOF\n", "s.dxf");
+    EXPECT_EQ(file.pattern.panels.size(), 1u) << name;
+    EXPECT_TRUE(tells(file.unused, std::string("piece ") + name + ": left out")) << name;
+    EXPECT_TRUE(tells(file.warnings, std::string("piece ") + name + ": left out")) << name;
+  }
+}
+
+TEST(UnseenLines, PagesOfTwoScalesAreRefusedWhereTheyDistort) {
+  const auto read = [](const char* how, double height) {
+    return parse_svg_pattern(
+        fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1200mm\" height=\"{}mm\" "
+                    "viewBox=\"0 0 1200 900\" preserveAspectRatio=\"{}\">",
+                    height, how) +
+            kFront + "</svg>",
+        "d.svg");
+  };
+  EXPECT_NO_THROW(read("none", 900));
+  EXPECT_NO_THROW(read("xMidYMid", 500));
+  for (const double height : {450.0, 880.0, 1000.0}) EXPECT_THROW(read("none", height), InvalidInput);
+}
+
 }  // namespace
 }  // namespace loosefit::io

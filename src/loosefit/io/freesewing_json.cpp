@@ -49,7 +49,9 @@ class Reader {
       const bool fabric = has(" fabric ") && !has(" sa ") && !has(" help ") && !has(" hidden ") &&
                           !has(" dashed ") && !has(" lashed ") && !has(" dotted ");
       const bool plain = classes.find_first_not_of(' ') == std::string::npos;
-      const bool sewn = path_name == "seam" || fabric || plain;
+      const bool other_cloth = has(" lining ") || has(" interfacing ") || has(" canvas ");
+      const bool seam = path_name == "seam" && (fabric || !other_cloth);
+      const bool sewn = seam || fabric || plain;
       if (!fold && !grain && !sewn) {
         left_.count(has(" sa ") ? std::string("seam allowances")
                                 : "paths of class \"" + trimmed(classes) + '"',
@@ -74,7 +76,7 @@ class Reader {
         part.lines.push_back({{std::move(line.points), line.closed, true},
                               std::move(line.nodes),
                               path_name,
-                              path_name == "seam" || fabric,
+                              seam || fabric,
                               here});
       }
     }

@@ -387,10 +387,10 @@ void refuse_other_text(const std::string& text, const std::string& file) {
 }
 
 Json parse_json(const std::string& text, const std::string& file) {
-  refuse_other_text(text, file);
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {
+    refuse_other_text(text, file);
     const std::size_t at = std::min(e.byte, text.size());
     const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + at, '\n'));
     std::string what = e.what();  // "[json.exception.…] parse error at line …: syntax error …"

@@ -216,6 +216,17 @@ Found sewn_or_cut(Outline cut, std::vector<Outline> inside, std::vector<Outline>
   return found;
 }
 
+/// No part of it in the outline of the layer or in another closed line there.
+bool lies_beside(const Outline& loop, const Layered& cut) {
+  const auto apart = [&](const Outline& other) {
+    const std::vector<Vec2> around = polygon(other);
+    return std::none_of(loop.begin(), loop.end(), [&](const OutlinePoint& p) {
+      return pattern::inside_polygon(around, p.at) || distance_to(around, p.at) < kSameCurve;
+    });
+  };
+  return apart(cut.outline) && std::all_of(cut.beside.begin(), cut.beside.end(), apart);
+}
+
 double farthest_inside(const Outline& inner, const std::vector<Vec2>& boundary) {
   double far = 0;
   for (const OutlinePoint& p : inner) far = std::max(far, distance_to(boundary, p.at));
@@ -227,6 +238,12 @@ std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string&
                                std::vector<std::string>& notes) {
   Layered cut = outline_on(block, 1, metre);
   Layered fine = outline_on(block, 84, metre);
+  if (!cut.outline.empty())
+    for (const std::vector<Outline>& loops : {std::vector<Outline>{fine.outline}, fine.beside})
+      for (const Outline& loop : loops)
+        if (!loop.empty() && outline_area(loop) >= kSmallestPiece && lies_beside(loop, cut))
+          notes.push_back("a closed line of " + square_centimetres(loop) +
+                          " on layer 84 beside its outline is not used");
   if (!fine.outline.empty() && (cut.outline.empty() || finer_copy(fine.outline, cut.outline)))
     cut.outline = std::move(fine.outline), cut.fault.clear();
   if (cut.outline.empty()) {
@@ -453,6 +470,10 @@ std::vector<DrawnPiece> pieces_of_block(const DxfPiece& piece, double metre) {
     one.outline = std::move(found[k].outline);
     pieces.push_back(std::move(one));
   }
+  const auto lost = std::count(taken.begin(), taken.end(), false);
+  if (lost > 0 && !none)
+    pieces[0].notes.push_back(
+        fmt::format("{} closed lines on layer 11 (cutouts) lie in no outline: not cut", lost));
   return pieces;
 }
 

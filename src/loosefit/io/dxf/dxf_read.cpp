@@ -15,6 +15,7 @@
 #include "loosefit/io/pieces/left_out.h"
 #include "loosefit/io/pieces/piece_collector.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
@@ -149,7 +150,7 @@ std::vector<const DxfPiece*> of_own_cloth(const std::vector<const DxfPiece*>& pi
   return own;
 }
 
-/// Without blocks that are drawn by hidden inserts alone.
+/// Without blocks that are drawn by hidden inserts alone, and without test squares and frames.
 std::vector<const DxfPiece*> seen_pieces(const DxfDocument& document,
                                          const std::vector<const DxfPiece*>& pieces,
                                          std::vector<std::string>& warnings) {
@@ -161,7 +162,11 @@ std::vector<const DxfPiece*> seen_pieces(const DxfDocument& document,
   std::vector<const DxfPiece*> kept;
   for (const DxfPiece* piece : pieces) {
     const auto why = hidden.find(piece->block->name);
-    if (why == hidden.end() || seen.count(piece->block->name))
+    if (const pattern::PieceWords words = pattern::words_of(piece->name);
+        words.sheet && !names_cloth(words))
+      warnings.push_back("piece " + printable(piece->name) +
+                         ": left out, it is called after a test square, a frame or a title");
+    else if (why == hidden.end() || seen.count(piece->block->name))
       kept.push_back(piece);
     else
       warnings.push_back("piece " + printable(piece->name) +

@@ -20,6 +20,7 @@ namespace {
 constexpr double kInch = 25.4;
 constexpr double kLastOf90 = 0.915;  // versions of Inkscape: 0.91, and 0.92 after it
 
+constexpr double kSameScale = 1e-3;  // of the page, across and down
 // Lengths that only a screen has.
 constexpr const char* kOfScreen[] = {"em", "ex", "ch", "vw", "vh", "vmin", "vmax", ")"};
 
@@ -139,6 +140,14 @@ SvgPage page_of(const XmlElement& root, const std::string& text, const std::stri
       continue;
     }
     const double mm = side->value * side->mm.value_or(page.unit.mm) / view[2 + k];
+    if (stated && std::abs(mm / stated->mm - 1) > kSameScale &&
+        root.attribute("preserveAspectRatio").find("none") != std::string::npos)
+      throw InvalidInput({file, root.line, "preserveAspectRatio"},
+                         fmt::format("\"none\" with units of {:.4g} mm across and {:.4g} mm down",
+                                     stated->mm, mm),
+                         "one scale for both",
+                         "width and height of the page do not fit its viewBox: the pieces would be "
+                         "drawn out of shape");
     if (stated && stated->mm <= mm) continue;
     const std::string words = fmt::format("{} {} over a viewBox of {:g} units", key,
                                           printable(root.attribute(key), 30), view[2 + k]);
