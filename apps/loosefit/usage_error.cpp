@@ -53,8 +53,9 @@ std::optional<UsageError> explain_number(const std::string& complaint, const std
   if (digits.find_first_of("0123456789") == std::string::npos) return {};
   const std::string found = "found \"" + printable(value) + "\" for " + name + ", expected ";
   if (end != std::string::npos)
-    return UsageError{found + "a number without a unit",
-                      "lengths are in metres, angles of options that end in -deg in degrees; " + help};
+    return UsageError{
+        found + "a number without a unit",
+        "lengths are in metres, angles of options that end in -deg in degrees; " + help};
   if (std::count(digits.begin(), digits.end(), ',') != 1 || digits.find('.') != std::string::npos)
     return UsageError{found + "a number", help};
   std::string with_point = digits;

@@ -120,8 +120,8 @@ TEST(FileKind, LanguagesOfMachinesAreToldFromTextsOfAnyMoves) {
   std::mt19937 draw(65);
   std::uniform_int_distribution<int> number(-9999, 9999), few(2, 30);
   for (int k = 0; k < 40; ++k) {
-    std::string plot = k % 2 ? "IN;SP1;" : "\nBP5,1;IN;PA;", g = k % 2 ? "%\nO12\nG21 G90\n"
-                                                                     : "(cut)\nN10 G21\nM3 S100\n",
+    std::string plot = k % 2 ? "IN;SP1;" : "\nBP5,1;IN;PA;",
+                g = k % 2 ? "%\nO12\nG21 G90\n" : "(cut)\nN10 G21\nM3 S100\n",
                 cut = "H1*M20*N1*M15*";
     for (int n = few(draw); n > 0; --n) {
       const int x = number(draw), y = number(draw);
@@ -136,7 +136,11 @@ TEST(FileKind, LanguagesOfMachinesAreToldFromTextsOfAnyMoves) {
     std::string small = plot;
     for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     EXPECT_EQ(kind_of_file(small), "a plot file (HPGL)") << small;
-    EXPECT_EQ(kind_of_file("\x1b" "E\x1b%0B" + plot).find("a plot"), 0u);
+    EXPECT_EQ(kind_of_file("\x1b"
+                           "E\x1b%0B" +
+                           plot)
+                  .find("a plot"),
+              0u);
   }
   EXPECT_EQ(kind_of_file("%FSLAX24Y24*%\n%MOMM*%\nG01*\n"), "a photoplot (Gerber RS-274X)");
   for (const char* text : {"name,x\nA,1\n", "INSIDE;PD", "x 1 2\n", "G is a letter\n", "M1\n",

@@ -163,8 +163,12 @@ TEST(FileUnits, TheSystemOfTheHeaderDecidesWhereNothingElseDoes) {
 }
 
 TEST(FileUnits, PagesAreReadWithDecimalCommasAndUnitsInAnyLetterCase) {
-  for (const auto& [unit, mm] : {std::pair{"mm", 1.0}, {"cm", 10.0}, {"MM", 1.0}, {"in", 25.4},
-                                 {"inch", 25.4}, {" mm", 1.0}})
+  for (const auto& [unit, mm] : {std::pair{"mm", 1.0},
+                                 {"cm", 10.0},
+                                 {"MM", 1.0},
+                                 {"in", 25.4},
+                                 {"inch", 25.4},
+                                 {" mm", 1.0}})
     for (const char* sign : {".", ","}) {
       const std::string side = "400" + std::string(sign) + "5" + unit;
       const double wide = mm > 5 ? 200 : 2000;

@@ -32,8 +32,10 @@ std::string half_skirt(double top, double flare, double length, const std::strin
     const double x = 100 + 900 * k++;
     svg += fmt::format("<g id=\"{}\"><path d=\"M{} 100 H{} L{} {} H{} z\"/>", name, x, x + top,
                        x + top + flare, 100 + length, x);
-    if (fold_lines) svg += fmt::format("<path id=\"fold-{}\" d=\"M{} 100 V{}\"/>", k, x, 100 + length);
-    svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text></g>", x + top / 3, 100 + length / 2, text);
+    if (fold_lines)
+      svg += fmt::format("<path id=\"fold-{}\" d=\"M{} 100 V{}\"/>", k, x, 100 + length);
+    svg +=
+        fmt::format("<text x=\"{}\" y=\"{}\">{}</text></g>", x + top / 3, 100 + length / 2, text);
   }
   return svg + "</svg>";
 }

@@ -116,14 +116,22 @@ TEST(PieceQuantity, CapitalsHandsAndWordsAreRead) {
 TEST(PieceQuantity, NumbersOfPiecesAndTwinsInTheWordsOfManyFiles) {
   for (int n = 1; n <= 12; ++n) {
     const std::string d = std::to_string(n);
-    for (const std::string& text :
-         {"No. of pieces: " + d, "Number of pieces " + d, "nb de pi\xc3\xa8" "ces : " + d,
-          "PI\xc3\x88" "CES: " + d, "St\xc3\xbc" "ck: " + d, "Anz. " + d, "Teile: " + d,
-          "cut (" + d + ")", "Cut [" + d + "]", "Cut-" + d, "copies: " + d, d + " required"})
+    for (const std::string& text : {"No. of pieces: " + d, "Number of pieces " + d,
+                                    "nb de pi\xc3\xa8"
+                                    "ces : " +
+                                        d,
+                                    "PI\xc3\x88"
+                                    "CES: " +
+                                        d,
+                                    "St\xc3\xbc"
+                                    "ck: " +
+                                        d,
+                                    "Anz. " + d, "Teile: " + d, "cut (" + d + ")",
+                                    "Cut [" + d + "]", "Cut-" + d, "copies: " + d, d + " required"})
       EXPECT_EQ(counts(find_quantity(text)), halves(n)) << text;
-    for (const std::string& text :
-         {d + " + mirror", d + "+mirror", d + " + " + d + " mirrored", d + " and " + d + " reversed",
-          "cut: " + d + " + mirror", d + " und " + d + " gespiegelt"}) {
+    for (const std::string& text : {d + " + mirror", d + "+mirror", d + " + " + d + " mirrored",
+                                    d + " and " + d + " reversed", "cut: " + d + " + mirror",
+                                    d + " und " + d + " gespiegelt"}) {
       EXPECT_EQ(counts(find_quantity(text)), Pair(n, n)) << text;
       EXPECT_EQ(counts(read_quantity(text)), Pair(n, n)) << text;
     }
@@ -150,9 +158,11 @@ TEST(PieceQuantity, NamesKeepWhatIsNoCount) {
 }
 
 TEST(PieceQuantity, KeysThatCountPieces) {
-  for (const char* key :
-       {"Quantity", "QTY", "cut", "Cut Quantity", "Anzahl", "No. of pieces", "Nr of Pieces",
-        "Number of pieces", "Nb de pi\xc3\xa8" "ces", "Anzahl Teile", "Pieces", "cut-no"})
+  for (const char* key : {"Quantity", "QTY", "cut", "Cut Quantity", "Anzahl", "No. of pieces",
+                          "Nr of Pieces", "Number of pieces",
+                          "Nb de pi\xc3\xa8"
+                          "ces",
+                          "Anzahl Teile", "Pieces", "cut-no"})
     EXPECT_TRUE(counts_pieces(key)) << key;
   for (const char* key : {"data_x", "Piece Name", "No.", "Number", "size"})
     EXPECT_FALSE(counts_pieces(key)) << key;

@@ -178,11 +178,16 @@ TEST(ScenarioErrors, UnknownKeysAreRefusedWithAGuess) {
 }
 
 TEST(ScenarioErrors, InchesOfATapeAreHintedAtForEveryMeasure) {
-  for (const auto& [key, inches] : {std::pair{"chest", 36}, {"waist", 30}, {"hip", 38}, {"neck", 15},
-                                    {"thigh", 13}, {"wrist", 7}, {"calf", 14}, {"arm_length", 24}}) {
-    const std::string text =
-        refusal("[body]\nmeasurements = { " + std::string(key) + " = " + std::to_string(inches) +
-                " }\n");
+  for (const auto& [key, inches] : {std::pair{"chest", 36},
+                                    {"waist", 30},
+                                    {"hip", 38},
+                                    {"neck", 15},
+                                    {"thigh", 13},
+                                    {"wrist", 7},
+                                    {"calf", 14},
+                                    {"arm_length", 24}}) {
+    const std::string text = refusal("[body]\nmeasurements = { " + std::string(key) + " = " +
+                                     std::to_string(inches) + " }\n");
     EXPECT_NE(text.find(fmt::format("{} inches is {:.4g}", inches, 0.0254 * inches)),
               std::string::npos)
         << text;

@@ -154,7 +154,8 @@ TEST(UnseenLines, CirclesOnTheLayersOfGrainAndMirrorTurnAndFoldNothing) {
     const PatternFile file = parse_dxf_pattern(d.text() + "0\nEOF\n", "c.dxf");
     ASSERT_EQ(file.pattern.panels.size(), 1u);
     double width = 0;
-    for (const Vec2& v : file.pattern.panels[0].vertices) width = std::max(width, 2 * std::abs(v.x()));
+    for (const Vec2& v : file.pattern.panels[0].vertices)
+      width = std::max(width, 2 * std::abs(v.x()));
     EXPECT_NEAR(width, 0.5, 1e-9) << layer;
     EXPECT_TRUE(tells(file.warnings, layer == 14 ? "less than half of the boundary"
                                                  : "circles or closed curves on layers 6 and 7"))
@@ -176,17 +177,19 @@ std::string path(const std::string& attributes, double x, double y, double width
 const std::string kFront = path("id=\"front\"", 50, 50, 300, 400);
 
 TEST(UnseenLines, WhatAViewerDoesNotShowIsSewnWithAWarning) {
-  for (const char* style : {"fill:none;stroke:none", "opacity:0", "fill:none", "fill-opacity:0",
-                            "fill:transparent;stroke:none", "fill:none;stroke:red;stroke-width:0"}) {
+  for (const char* style :
+       {"fill:none;stroke:none", "opacity:0", "fill:none", "fill-opacity:0",
+        "fill:transparent;stroke:none", "fill:none;stroke:red;stroke-width:0"}) {
     const PatternFile file = parse_svg_pattern(
-        svg(kFront + path(fmt::format("id=\"back\" style=\"{}\"", style), 400, 50, 300, 400)), "u.svg");
+        svg(kFront + path(fmt::format("id=\"back\" style=\"{}\"", style), 400, 50, 300, 400)),
+        "u.svg");
     EXPECT_EQ(file.pattern.panels.size(), 2u);
     EXPECT_TRUE(tells(file.warnings, "piece back: its line is not to be seen")) << style;
     EXPECT_FALSE(tells(file.warnings, "piece front: its line is not"));
   }
-  const PatternFile seen = parse_svg_pattern(
-      svg(kFront + "<g style=\"fill:none;stroke:black\">" +
-          path("id=\"back\"", 400, 50, 300, 400) + "</g>"), "u.svg");
+  const PatternFile seen = parse_svg_pattern(svg(kFront + "<g style=\"fill:none;stroke:black\">" +
+                                                 path("id=\"back\"", 400, 50, 300, 400) + "</g>"),
+                                             "u.svg");
   EXPECT_FALSE(tells(seen.warnings, "not to be seen"));
 }
 
@@ -219,9 +222,10 @@ TEST(UnseenLines, TestSquaresAndBordersAreNoPanelsAndAreNamed) {
   std::mt19937 draw(64);
   std::uniform_real_distribution<double> place(720, 1000);
   for (const double side : {25.4, 30.0, 40.0, 50.0, 50.8, 100.0, 101.6}) {
-    const PatternFile file = parse_svg_pattern(
-        svg(path("id=\"path1\"", 5, 5, 1190, 890) + kFront +
-            path("", place(draw), place(draw) - 300, side, side)), "s.svg");
+    const PatternFile file =
+        parse_svg_pattern(svg(path("id=\"path1\"", 5, 5, 1190, 890) + kFront +
+                              path("", place(draw), place(draw) - 300, side, side)),
+                          "s.svg");
     EXPECT_EQ(file.pattern.panels.size(), 1u) << side;
     EXPECT_TRUE(tells(file.warnings, fmt::format("of {:.4g} x {:.4g} mm: left out", side, side)))
         << side;
@@ -236,7 +240,8 @@ TEST(UnseenLines, TestSquaresAndBordersAreNoPanelsAndAreNamed) {
   EXPECT_EQ(pieces(path("data-quantity=\"2\"", 800, 300, 100, 100)), 3u);
   EXPECT_EQ(pieces(path("", 800, 300, 87, 87)), 2u);
   EXPECT_EQ(pieces(path("", 800, 300, 100, 120)), 2u);
-  EXPECT_EQ(pieces(path("", 800, 300, 87, 87) + "<text x=\"820\" y=\"330\">test square</text>"), 1u);
+  EXPECT_EQ(pieces(path("", 800, 300, 87, 87) + "<text x=\"820\" y=\"330\">test square</text>"),
+            1u);
 }
 
 TEST(UnseenLines, LinesThatNearlyCloseAreNamedThoughTheyHaveNoName) {
@@ -249,7 +254,8 @@ TEST(UnseenLines, LinesThatNearlyCloseAreNamedThoughTheyHaveNoName) {
 }
 
 TEST(UnseenLines, ClosedLinesOfOtherClothsOfFreeSewingAreNamed) {
-  for (const char* other : {"various", "canvas", "lining", "interfacing", "contrast", "mark help"}) {
+  for (const char* other :
+       {"various", "canvas", "lining", "interfacing", "contrast", "mark help"}) {
     const std::string line = path(fmt::format("class=\"{}\"", other), 400, 60, 280, 380);
     const PatternFile file = parse_svg_pattern(
         "<svg freesewing=\"3\" xmlns=\"http://www.w3.org/2000/svg\" width=\"1200mm\" "
@@ -289,7 +295,8 @@ TEST(UnseenLines, CopiesBeyondAPairAreNamedAsLeftOut) {
 TEST(UnseenLines, TextsThatAreNotReadAreInTheAccount) {
   const PatternFile file = parse_svg_pattern(
       svg(kFront + "<text x=\"100\" y=\"200\">N 7</text><text x=\"1100\" y=\"800\">cut 2</text>"
-                   "<text x=\"100\" y=\"300\">cut both left</text>"), "t.svg");
+                   "<text x=\"100\" y=\"300\">cut both left</text>"),
+      "t.svg");
   EXPECT_TRUE(tells(file.unused, "\"N 7\""));
   EXPECT_TRUE(tells(file.warnings, "text \"cut 2\" at line 1: it stands in no piece"));
   EXPECT_TRUE(tells(file.warnings, "its text \"cut both left\" may say how often"));
@@ -310,8 +317,8 @@ TEST(UnseenLines, ClosedLinesOfADxfThatLieInNoOutlineAreNamed) {
 }
 
 TEST(UnseenLines, TestSquaresAndTitlesOfADxfAreNoPieces) {
-  for (const char* name : {"TEST SQUARE", "Testquadrat Test Square", "Title block", "SCALE 10cm",
-                           "Page frame"}) {
+  for (const char* name :
+       {"TEST SQUARE", "Testquadrat Test Square", "Title block", "SCALE 10cm", "Page frame"}) {
     DxfText d;
     d.section("BLOCKS");
     for (const char* called : {"FRONT", name}) {
@@ -338,7 +345,8 @@ TEST(UnseenLines, PagesOfTwoScalesAreRefusedWhereTheyDistort) {
   };
   EXPECT_NO_THROW(read("none", 900));
   EXPECT_NO_THROW(read("xMidYMid", 500));
-  for (const double height : {450.0, 880.0, 1000.0}) EXPECT_THROW(read("none", height), InvalidInput);
+  for (const double height : {450.0, 880.0, 1000.0})
+    EXPECT_THROW(read("none", height), InvalidInput);
 }
 
 }  // namespace

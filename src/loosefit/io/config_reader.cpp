@@ -70,7 +70,7 @@ std::string quoted(const std::vector<std::string>& texts) {
   return "[" + join(all) + "]";
 }
 
-constexpr double kInch = 0.0254;                         // [m]
+constexpr double kInch = 0.0254;                          // [m]
 constexpr double kLeastOfTape = 0.05, kMostOfTape = 2.5;  // measures of people [m]
 
 }  // namespace

@@ -97,8 +97,10 @@ constexpr const char* kToMesh = "convert it to OBJ, PLY or STL";
 constexpr const char* kMotion = "it moves markers or a skeleton: it holds no surface and no pieces";
 constexpr const char* kPicture =
     "a picture has no measures: trace it, and save the outlines as SVG";
-constexpr const char* kPoints = "points without faces are no surface: mesh them first, as MeshLab does";
-constexpr const char* kProject = "export the pattern there as DXF (AAMA or ASTM), or the avatar as OBJ";
+constexpr const char* kPoints =
+    "points without faces are no surface: mesh them first, as MeshLab does";
+constexpr const char* kProject =
+    "export the pattern there as DXF (AAMA or ASTM), or the avatar as OBJ";
 constexpr const char* kPlot = "export the pattern as DXF-AAMA or SVG instead";
 constexpr const char* kPrint = "a plot or print file (PCL)";
 constexpr const char* kUnpack = "unpack it and name a file in it";
@@ -170,7 +172,9 @@ constexpr Signature kSignatures[] = {
     {"LA:"sv, 0, "an embroidery (DST)", kPlot},
     {"\x1b%"sv, 0, "a plot file (HPGL)", kPlot},
     {"\x1b."sv, 0, "a plot file (HPGL)", kPlot},
-    {"\x1b" "E"sv, 0, kPrint, kPlot},
+    {"\x1b"
+     "E"sv,
+     0, kPrint, kPlot},
     {"\x1b("sv, 0, kPrint, kPlot},
     {"\x1b&"sv, 0, kPrint, kPlot},
     {"\x1b*"sv, 0, kPrint, kPlot},
@@ -250,9 +254,8 @@ bool has_keys(const std::string& text, std::initializer_list<const char*> keys) 
 
 /// JSON, by the keys in its beginning; GarmentCode itself is no other kind.
 FileKind in_json(const std::string& text) {
-  if (has_keys(text, {"asset"}) &&
-      (has_keys(text, {"meshes"}) || has_keys(text, {"nodes"}) || has_keys(text, {"scenes"}) ||
-       has_keys(text, {"buffers"})))
+  if (has_keys(text, {"asset"}) && (has_keys(text, {"meshes"}) || has_keys(text, {"nodes"}) ||
+                                    has_keys(text, {"scenes"}) || has_keys(text, {"buffers"})))
     return {"a mesh (glTF)", kToMesh};
   if (has_keys(text, {"metadata", "geometries"})) return {"a mesh (three.js)", kToMesh};
   if (has_keys(text, {"pattern", "panels"})) return {};

@@ -81,11 +81,10 @@ geometry::TriangleMesh parse(const std::string& bytes, const std::string& path) 
   const std::string text = plain_text(bytes.substr(0, 1000));
   const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   const std::size_t end = std::min(text.find_first_of("\r\n", start), start + 40);
-  throw InvalidInput(
-      {path, 0, ""},
-      "a file of no known kind that begins with \"" + printable(text.substr(start, end - start)) +
-          '"',
-      kSurface, kExport);
+  throw InvalidInput({path, 0, ""},
+                     "a file of no known kind that begins with \"" +
+                         printable(text.substr(start, end - start)) + '"',
+                     kSurface, kExport);
 }
 
 /// What comments of an OBJ or a PLY say of the unit, as in "# File units = inches" and in our own
@@ -138,8 +137,7 @@ MeshFile read_mesh(const std::string& path) {
     throw InvalidInput({path, 0, ""},
                        fmt::format("{} vertices and {} faces", file.mesh.vertices.size(),
                                    file.mesh.triangles.size()),
-                       "a surface",
-                       file.mesh.vertices.size() > 3 ? kNoFaces : "");
+                       "a surface", file.mesh.vertices.size() > 3 ? kNoFaces : "");
   }
   drop_degenerate(file);
   return file;

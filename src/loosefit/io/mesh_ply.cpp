@@ -265,8 +265,9 @@ geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path
         const bool strips = element.name == "tristrips" && corners;
         const double most = strips ? kMostOfStrips : kMostCorners;
         if (!(count >= 0 && count <= most))
-          lines.fail(shortest(count) + " list entries", "0 to " + shortest(most),
-                     "is the format line right (text, low or high byte first), and the file whole?");
+          lines.fail(
+              shortest(count) + " list entries", "0 to " + shortest(most),
+              "is the format line right (text, low or high byte first), and the file whole?");
         std::vector<double> list;
         for (int k = 0; k < int(count); ++k) list.push_back(values.next(property.kind));
         if (strips) read_strips(lines, list, vertex_count, mesh);

@@ -54,10 +54,9 @@ void sew(PatternFile& file, const std::filesystem::path& from) {
     return;
   }
   file.not_placed = "it has no seams: none in a side file, and ";
-  file.not_placed +=
-      known.kind.empty()
-          ? std::string("its pieces are not those of a garment that is known")
-          : "as " + known.kind + " it leaves doubts (" + join(doubts, "; ") + ")";
+  file.not_placed += known.kind.empty()
+                         ? std::string("its pieces are not those of a garment that is known")
+                         : "as " + known.kind + " it leaves doubts (" + join(doubts, "; ") + ")";
   if (known.certain())
     file.not_placed_hint =
         "draw the fold (a line called \"fold\", in a DXF one on layer 6), or, if the pieces are "

@@ -325,7 +325,7 @@ class Reader {
   DxfRecord record_;
   DxfDocument document_;
   std::map<std::string, std::string> hidden_layers_;  ///< name and why
-  const DxfBlock* block_ = nullptr;  ///< that is being read
+  const DxfBlock* block_ = nullptr;                   ///< that is being read
   std::size_t points_ = 0, entities_ = 0;
 };
 

@@ -36,11 +36,11 @@ struct DxfDocument {
 };
 
 /// Reads sections HEADER, TABLES (layers that are off or frozen), BLOCKS and ENTITIES of a DXF text
-/// file; all others are passed over. Points are taken from LINE, POLYLINE, LWPOLYLINE (with bulges),
-/// ARC, CIRCLE, ELLIPSE and SPLINE (sampled every 2 degrees or 1/64 of a knot span), POINT and TEXT;
-/// other kinds have none. Texts that are
-/// not UTF-8 are taken as Latin 1. `file` only appears in messages. \throws InvalidInput naming
-/// line and entity: text that is no DXF, numbers that are none, a
+/// file; all others are passed over. Points are taken from LINE, POLYLINE, LWPOLYLINE (with
+/// bulges), ARC, CIRCLE, ELLIPSE and SPLINE (sampled every 2 degrees or 1/64 of a knot span), POINT
+/// and TEXT; other kinds have none. Texts that are not UTF-8 are taken as Latin 1. `file` only
+/// appears in messages. \throws InvalidInput naming line and entity: text that is no DXF, numbers
+/// that are none, a
 ///         section, block or polyline without an end, a drawing that is scaled or seen from below.
 /// Source: Autodesk, DXF Reference (group codes of the entities).
 DxfDocument parse_dxf(const std::string& text, const std::string& file);

@@ -157,8 +157,8 @@ std::vector<const DxfPiece*> seen_pieces(const DxfDocument& document,
   std::map<std::string, std::string> hidden;
   std::set<std::string> seen;
   for (const DxfEntity& e : document.entities)
-    if (e.kind == "INSERT") e.hidden.empty() ? (void)seen.insert(e.text)
-                                             : (void)hidden.emplace(e.text, e.hidden);
+    if (e.kind == "INSERT")
+      e.hidden.empty() ? (void)seen.insert(e.text) : (void)hidden.emplace(e.text, e.hidden);
   std::vector<const DxfPiece*> kept;
   for (const DxfPiece* piece : pieces) {
     const auto why = hidden.find(piece->block->name);
@@ -190,8 +190,8 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::st
                      ((e.layer == 4 || (e.layer >= 80 && e.layer <= 83)) && !e.points.empty());
       // A symbol is told by the name of its block.
       if (!used)
-        ++left[e.layer][e.kind == "INSERT" || text ? e.kind + " " + quoted(e.text.substr(0, 40))
-                                                   : e.kind];
+        ++left[e.layer]
+              [e.kind == "INSERT" || text ? e.kind + " " + quoted(e.text.substr(0, 40)) : e.kind];
     }
   for (const auto& [layer, kinds] : left) {
     std::vector<std::string> counts;
@@ -212,8 +212,9 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::st
 std::string unread_kinds(const DxfBlock& block) {
   std::map<std::string, int> kinds;
   for (const DxfEntity& e : block.entities)
-    for (const char* kind : {"HATCH", "REGION", "SOLID", "TRACE", "3DFACE", "3DSOLID", "BODY",
-                             "MLINE", "WIPEOUT", "POLYLINE (mesh)", "PROXY", "IMAGE", "ACAD_PROXY_ENTITY"})
+    for (const char* kind :
+         {"HATCH", "REGION", "SOLID", "TRACE", "3DFACE", "3DSOLID", "BODY", "MLINE", "WIPEOUT",
+          "POLYLINE (mesh)", "PROXY", "IMAGE", "ACAD_PROXY_ENTITY"})
       if (e.kind == kind) ++kinds[e.kind];
   std::vector<std::string> list;
   for (const auto& [kind, count] : kinds) list.push_back(fmt::format("{} {}", count, kind));
@@ -229,14 +230,14 @@ void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, L
                                    [&](const DxfPiece& piece) { return piece.block == &block; });
     const bool closed = std::any_of(block.entities.begin(), block.entities.end(), is_closed);
     if (taken || block.name.starts_with("*")) continue;
-    const std::string called = fmt::format("block {} at line {}: left out, ", quoted(block.name),
-                                           block.line);
+    const std::string called =
+        fmt::format("block {} at line {}: left out, ", quoted(block.name), block.line);
     const auto unseen =
         std::find_if(block.hidden.begin(), block.hidden.end(),
                      [](const DxfEntity& e) { return e.layer == 1 || e.layer == 84; });
     if (unseen != block.hidden.end())
-      left.tell(called + fmt::format("its line on layer {} is hidden, {}", unseen->layer,
-                                     unseen->hidden));
+      left.tell(called +
+                fmt::format("its line on layer {} is hidden, {}", unseen->layer, unseen->hidden));
     else if (closed)
       left.tell(called + "nothing is drawn on layer 1 or 84");
     else if (const std::string kinds = unread_kinds(block); !kinds.empty())
@@ -268,14 +269,16 @@ void list_hidden(const std::vector<const DxfPiece*>& pieces, LeftOut& left) {
       if (of.empty() || of.back() != printable(piece->name)) of.push_back(printable(piece->name));
     }
   for (const auto& [what, of] : names) {
-    const std::vector<std::string> some(of.begin(), of.begin() + std::min<std::size_t>(of.size(), 6));
+    const std::vector<std::string> some(of.begin(),
+                                        of.begin() + std::min<std::size_t>(of.size(), 6));
     left.tell(fmt::format("lines on layer {} ({}) of {}{} are hidden and not used: {}", what.first,
                           layer_meaning(what.first), join(some),
                           of.size() > some.size() ? ", ..." : "", what.second));
   }
 }
 
-/// A block that is drawn several times, or in another one, or not at all, is one piece all the same.
+/// A block that is drawn several times, or in another one, or not at all, is one piece all the
+/// same.
 void tell_inserts(const DxfDocument& document, const std::vector<const DxfPiece*>& pieces,
                   LeftOut& left) {
   const auto of = [](const std::vector<DxfEntity>& entities, const std::string& name) {
@@ -288,9 +291,10 @@ void tell_inserts(const DxfDocument& document, const std::vector<const DxfPiece*
     const auto same = std::count_if(document.blocks.begin(), document.blocks.end(),
                                     [&](const DxfBlock& block) { return block.name == name; });
     if (const auto times = of(document.entities, name); times > 1 && same == 1)
-      left.tell(fmt::format("block {}: it is drawn {} times (INSERT) and taken as one piece; its "
-                            "quantity says how often it is cut",
-                            quoted(name), times));
+      left.tell(
+          fmt::format("block {}: it is drawn {} times (INSERT) and taken as one piece; its "
+                      "quantity says how often it is cut",
+                      quoted(name), times));
     for (const DxfBlock& other : document.blocks)
       if (&other != piece->block && of(other.entities, name) > 0)
         left.tell(fmt::format("block {}: it is drawn in block {} and taken as a piece of its own",
@@ -330,8 +334,7 @@ PieceCount count_of(const DxfPiece& piece, std::vector<std::string>& warnings) {
 
 /// Why a file has no pieces.
 std::string without_pieces(const DxfDocument& document) {
-  std::string found =
-      fmt::format("{} blocks, none with lines on layer 1", document.blocks.size());
+  std::string found = fmt::format("{} blocks, none with lines on layer 1", document.blocks.size());
   for (const DxfBlock& block : document.blocks)
     for (const DxfEntity& e : block.hidden)
       if (e.layer == 1 || e.layer == 84) return found + " that can be seen: " + e.hidden;

@@ -31,9 +31,7 @@ bool says_cut_there(const std::string& text) {
 
 }  // namespace
 
-bool speaks_of_fold(const std::string& text) {
-  return pattern::words_of(beside_count(text)).fold;
-}
+bool speaks_of_fold(const std::string& text) { return pattern::words_of(beside_count(text)).fold; }
 
 void note_missing_fold(DrawnPiece& piece, const std::string& what, const std::string& text,
                        const std::string& mark) {

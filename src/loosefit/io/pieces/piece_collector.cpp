@@ -87,12 +87,11 @@ void PieceCollector::tell(const std::string& place, const PiecePanel& made, cons
   for (const pattern::PanelHole& hole : made.panel.holes)
     how.push_back("hole \"" + printable(hole.name) + "\" cut");
   if (!made.notches.empty()) how.push_back(fmt::format("{} notches", made.notches.size()));
-  how.push_back(names.size() > 1       ? "once as drawn, once mirrored"
-                : count.mirrored > 0   ? "once mirrored"
-                                       : "once");
+  how.push_back(names.size() > 1     ? "once as drawn, once mirrored"
+                : count.mirrored > 0 ? "once mirrored"
+                                     : "once");
   if (!count.said.empty()) how.back() += " (\"" + printable(count.said, 100) + "\")";
-  result_.used.push_back(
-      fmt::format("piece {} ({}): {}", printable(names[0]), place, join(how)));
+  result_.used.push_back(fmt::format("piece {} ({}): {}", printable(names[0]), place, join(how)));
 }
 
 void PieceCollector::finish(const std::string& file, const std::string& sew_line) {

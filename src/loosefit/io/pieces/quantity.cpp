@@ -107,9 +107,9 @@ bool is_plural_of_piece(const std::string& w) {
 bool is_cut_word(const std::string& w) {
   return begins_as(w, {"zuschneid", "zuschnitt", "schneide", "couper", "coupez", "quantit",
                        "tagliare", "knippen", "cantidad", "quantidad", "quantity"}) ||
-         is_one_of(w, {"cut", "cuts", "qty", "qte", "qtd", "qta", "anzahl", "menge", "cortar",
-                       "corte", "cant", "aantal", "pieces", "pcs", "stk", "amount", "anz", "copies",
-                       "coupe"}) ||
+         is_one_of(
+             w, {"cut", "cuts", "qty", "qte", "qtd", "qta", "anzahl", "menge", "cortar", "corte",
+                 "cant", "aantal", "pieces", "pcs", "stk", "amount", "anz", "copies", "coupe"}) ||
          is_plural_of_piece(w);
 }
 bool is_piece_word(const std::string& w) {
@@ -443,17 +443,39 @@ bool counts_pieces(const std::string& key) {
   }
   // "No. of pieces", "Nb de pièces", "Anzahl Teile".
   if (number && pieces) return true;
-  return is_one_of(word,
-                   {"quantity", "quantities", "qty", "qte", "qtd", "qta", "cut", "cutquantity",
-                    "cutqty", "cuts", "anzahl", "anz", "menge",
-                    "st\xc3\xbc"
-                    "ckzahl",
-                    "stueckzahl",
-                    "st\xc3\xbc"
-                    "ck",
-                    "quantite", "quantit\xc3\xa9", "cantidad", "quantita", "quantit\xc3\xa0",
-                    "quantidade", "aantal", "amount", "pieces", "pcs", "count", "piececount",
-                    "numberofpieces", "noofpieces", "copies"});
+  return is_one_of(word, {"quantity",
+                          "quantities",
+                          "qty",
+                          "qte",
+                          "qtd",
+                          "qta",
+                          "cut",
+                          "cutquantity",
+                          "cutqty",
+                          "cuts",
+                          "anzahl",
+                          "anz",
+                          "menge",
+                          "st\xc3\xbc"
+                          "ckzahl",
+                          "stueckzahl",
+                          "st\xc3\xbc"
+                          "ck",
+                          "quantite",
+                          "quantit\xc3\xa9",
+                          "cantidad",
+                          "quantita",
+                          "quantit\xc3\xa0",
+                          "quantidade",
+                          "aantal",
+                          "amount",
+                          "pieces",
+                          "pcs",
+                          "count",
+                          "piececount",
+                          "numberofpieces",
+                          "noofpieces",
+                          "copies"});
 }
 
 bool speaks_of_count(const std::string& text) {

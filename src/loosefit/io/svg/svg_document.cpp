@@ -423,7 +423,7 @@ class Reader {
   SvgDocument document_;
   SvgStyles styles_;
   std::map<std::string, const XmlElement*> by_id_;
-  std::set<const XmlElement*> shown_;  ///< by a use
+  std::set<const XmlElement*> shown_;                     ///< by a use
   std::map<std::string, std::vector<std::string>> left_;  ///< names by reasons
   int used_ = 0;
 };

@@ -18,11 +18,10 @@ namespace {
 constexpr double kWholePage = 0.95;  // of its width and height
 constexpr double kInHole = 1e-3;  // a hole lies in a piece with a point that is so deep in it [m]
 // Sides of squares by which the scale of a print is checked [m]: whole centimetres and inches.
-constexpr double kTestSides[] = {0.025,  0.0254, 0.03, 0.04,   0.05,
-                                 0.0508, 0.0762, 0.1,  0.1016, 0.2};
+constexpr double kTestSides[] = {0.025, 0.0254, 0.03, 0.04, 0.05, 0.0508, 0.0762, 0.1, 0.1016, 0.2};
 constexpr double kSameSide = 3e-4;     // as drawn [m]
 constexpr double kShareOfTest = 0.15;  // of the largest piece, at most
-constexpr double kTextBeside = 0.03;  // of a text from the line that it names [m]
+constexpr double kTextBeside = 0.03;   // of a text from the line that it names [m]
 
 bool is_rectangle(const SvgLine& run) {
   return run.shape->kind == "rect" || (run.line.points.size() == 4 && run.line.nodes.size() <= 5);
@@ -60,12 +59,12 @@ bool is_test_square(const SvgDocument& document, double unit, const SvgLine& lin
       continue;
     if (find_quantity(text.words) || names_cloth(pattern::words_of(text.words))) return false;
     const std::string words = in_words(text.words);
-    for (const char* is : {" test ", " scale ", " check ", " control ", " calibration ", " square "})
+    for (const char* is :
+         {" test ", " scale ", " check ", " control ", " calibration ", " square "})
       if (words.find(is) != std::string::npos) return square;
   }
-  return square && std::any_of(std::begin(kTestSides), std::end(kTestSides), [&](double side) {
-           return std::abs(size.x() - side) < kSameSide;
-         });
+  return square && std::any_of(std::begin(kTestSides), std::end(kTestSides),
+                               [&](double side) { return std::abs(size.x() - side) < kSameSide; });
 }
 
 /// "Opening" and "neckline" stand at edges as well.

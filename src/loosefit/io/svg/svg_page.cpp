@@ -142,12 +142,12 @@ SvgPage page_of(const XmlElement& root, const std::string& text, const std::stri
     const double mm = side->value * side->mm.value_or(page.unit.mm) / view[2 + k];
     if (stated && std::abs(mm / stated->mm - 1) > kSameScale &&
         root.attribute("preserveAspectRatio").find("none") != std::string::npos)
-      throw InvalidInput({file, root.line, "preserveAspectRatio"},
-                         fmt::format("\"none\" with units of {:.4g} mm across and {:.4g} mm down",
-                                     stated->mm, mm),
-                         "one scale for both",
-                         "width and height of the page do not fit its viewBox: the pieces would be "
-                         "drawn out of shape");
+      throw InvalidInput(
+          {file, root.line, "preserveAspectRatio"},
+          fmt::format("\"none\" with units of {:.4g} mm across and {:.4g} mm down", stated->mm, mm),
+          "one scale for both",
+          "width and height of the page do not fit its viewBox: the pieces would be "
+          "drawn out of shape");
     if (stated && stated->mm <= mm) continue;
     const std::string words = fmt::format("{} {} over a viewBox of {:g} units", key,
                                           printable(root.attribute(key), 30), view[2 + k]);

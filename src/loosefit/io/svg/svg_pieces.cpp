@@ -25,9 +25,9 @@ constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
-constexpr double kClosedGap = 2e-3;    // between ends of a line that was meant to be closed [m]
+constexpr double kClosedGap = 2e-3;     // between ends of a line that was meant to be closed [m]
 constexpr double kNearlyClosed = 0.05;  // of its length is the gap of a line that may be a piece
-constexpr std::size_t kMostInner = 8;  // lines that one warning names
+constexpr std::size_t kMostInner = 8;   // lines that one warning names
 
 /// Without what says how often it is cut; empty: it says nothing else.
 std::string clean_name(std::string name) {
@@ -218,15 +218,16 @@ class Sorter {
       const std::vector<Vec2>& points = open.line.points;
       const double gap = (points.front() - points.back()).norm();
       double length = 0;
-      for (std::size_t k = 0; k + 1 < points.size(); ++k) length += (points[k + 1] - points[k]).norm();
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        length += (points[k + 1] - points[k]).norm();
       const bool named = gap < kNearlyClosed * length || names_cloth(words_of_shape(*open.shape)) ||
                          names_cloth(words_of_group(document_, *open.shape)) ||
                          !own_name(open.shape->label, open.shape->id).empty();
       const bool within = std::any_of(closed_.begin(), closed_.end(), [&](const SvgLine& piece) {
         return lies_inside(points, piece.line.points);
       });
-      if (named && !within && !chained_groups_.count(innermost_group(*open.shape)) && points.size() > 2 &&
-          std::abs(pattern::signed_area(points)) >= kSmallestPiece)
+      if (named && !within && !chained_groups_.count(innermost_group(*open.shape)) &&
+          points.size() > 2 && std::abs(pattern::signed_area(points)) >= kSmallestPiece)
         left.warnings.push_back(fmt::format(
             "open line {}: left out, its ends are {:.3g} mm apart; close it if it is a piece",
             called_line(*open.shape), 1e3 * gap));
