@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/dxf/dxf_read.h"
+#include "loosefit/io/garmentcode_read.h"
 #include "loosefit/io/svg/svg_read.h"
 #include "loosefit/pattern/hole.h"
 #include "support/dxf_text.h"
@@ -316,6 +317,18 @@ TEST(UnseenLines, ClosedLinesOfADxfThatLieInNoOutlineAreNamed) {
   }
 }
 
+TEST(UnseenLines, CountsOutsideOfTheBlocksOfADxfAreNamed) {
+  for (const char* text : {"CUT 2", "Quantity: 2", "2 x sleeve", "1 pair"}) {
+    DxfText d;
+    d.section("BLOCKS").block("F").note("Piece Name: SLEEVE");
+    closed_line(d, 1, rectangle(0, 0, 500, 700), Hide::not_at_all);
+    d.end_block().end_section().section("ENTITIES").note("Units: METRIC").note(text).end_section();
+    const PatternFile file = parse_dxf_pattern(d.text() + "0\nEOF\n", "t.dxf");
+    EXPECT_EQ(file.pattern.panels.size(), 1u);
+    EXPECT_TRUE(tells(file.warnings, fmt::format("text \"{}\" at line", text))) << text;
+  }
+}
+
 TEST(UnseenLines, TestSquaresAndTitlesOfADxfAreNoPieces) {
   for (const char* name :
        {"TEST SQUARE", "Testquadrat Test Square", "Title block", "SCALE 10cm", "Page frame"}) {
@@ -347,6 +360,31 @@ TEST(UnseenLines, PagesOfTwoScalesAreRefusedWhereTheyDistort) {
   EXPECT_NO_THROW(read("xMidYMid", 500));
   for (const double height : {450.0, 880.0, 1000.0})
     EXPECT_THROW(read("none", height), InvalidInput);
+}
+
+TEST(UnseenLines, PanelsOfAGarmentCodeFileThatNothingSewsAreNamed) {
+  const auto panel = [](int k) {
+    return fmt::format(
+        "\"p{}\": {{\"vertices\": [[0,0],[30,0],[30,40],[0,40]], \"edges\": [{{\"endpoints\": "
+        "[0,1]}},{{\"endpoints\": [1,2]}},{{\"endpoints\": [2,3]}},{{\"endpoints\": [3,0]}}], "
+        "\"translation\": [0,100,{}], \"rotation\": [0,0,0]}}",
+        k, 20 * k);
+  };
+  for (int loose = 0; loose < 3; ++loose) {
+    const int a = loose == 0 ? 1 : 0, b = loose == 2 ? 1 : 2;
+    const PatternFile file = parse_garmentcode(
+        "{\"pattern\": {\"panels\": {" + panel(0) + ", " + panel(1) + ", " + panel(2) +
+            fmt::format("}}, \"stitches\": [[{{\"panel\": \"p{}\", \"edge\": 1}}, {{\"panel\": "
+                        "\"p{}\", \"edge\": 3}}]]}}, \"properties\": {{\"curvature_coords\": "
+                        "\"relative\", \"units_in_meter\": 100}}}}",
+                        a, b),
+        "g.json");
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(tells(file.warnings, fmt::format("panel p{}: no stitch", k)), k == loose);
+      EXPECT_EQ(tells(file.used, fmt::format("panel p{}: its outline, sewn to nothing", k)),
+                k == loose);
+    }
+  }
 }
 
 }  // namespace

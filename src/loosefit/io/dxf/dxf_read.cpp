@@ -247,6 +247,11 @@ void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, L
   }
   int loose = 0, closed = 0, first = 0;
   for (const DxfEntity& e : document.entities) {
+    if ((e.kind == "TEXT" || e.kind == "MTEXT") && find_quantity(e.text))
+      left.tell(
+          fmt::format("text {} at line {} outside of blocks: it belongs to no piece and counts "
+                      "nothing",
+                      quoted(e.text), e.line));
     loose += e.points.size() > 1;
     if (!is_closed(e)) continue;
     if (closed++ == 0) first = e.line;
