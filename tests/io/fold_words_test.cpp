@@ -86,9 +86,23 @@ TEST_F(FoldWords, HalvesWhoseFoldNoLineMarksAreSewnOnlyWhenSomebodyHasLooked) {
 }
 
 TEST_F(FoldWords, TextsOfFoldedHemsAndMirroredTwinsAreNoHalves) {
-  for (const char* text : {"fold up twice", "1 + mirror", "hem fold line", "cut 1 + mirror"}) {
+  for (const char* text : {"fold up twice", "1 + mirror", "hem fold line", "cut 1 + mirror",
+                           "fold up at the hem", "Saumbruch", "sleeve mirror"}) {
     const PatternFile file = read(half_skirt(300, 40, 600, text, false));
     EXPECT_TRUE(file.doubts.empty()) << text;
+  }
+  // A mark that lies on no part of the outline and not in its middle leaves the same doubt.
+  const std::string text = half_skirt(300, 40, 600, "front", true);
+  EXPECT_TRUE(read(text).doubts.empty());
+  for (const int x : {90, 110, 150}) {
+    std::string moved = text;
+    const std::size_t at = moved.find("d=\"M100 100 V");
+    ASSERT_NE(at, std::string::npos);
+    moved.replace(at, 13, fmt::format("d=\"M{} 100 V", x));
+    const PatternFile file = read(moved);
+    EXPECT_EQ(file.doubts.size(), 1u) << x;
+    EXPECT_TRUE(file.pattern.stitches.empty());
+    EXPECT_TRUE(tells(file.used, "piece front (at line 1): its outline, not unfolded"));
   }
   EXPECT_FALSE(speaks_of_fold("1 + mirror"));
   EXPECT_FALSE(speaks_of_fold("cut 2, mirrored"));

@@ -1,6 +1,7 @@
 #include "loosefit/io/pieces/fold_words.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/pieces/cloth_words.h"
@@ -16,17 +17,24 @@ std::string beside_count(const std::string& text) {
   return find_quantity(text, &rest) ? rest : text;
 }
 
-/// "On fold", "place to fold", "im Stoffbruch", "sur la pliure", "al doblez".
+/// "On the fold", "place to fold", "im Stoffbruch", "sur la pliure", "al doblez"; not "fold up at
+/// the hem", "Saumbruch".
 bool says_cut_there(const std::string& text) {
+  constexpr std::size_t kBefore = 3;  // words between the two
+  const auto is_one = [](const std::string& word, std::initializer_list<const char*> list) {
+    return std::any_of(list.begin(), list.end(), [&](const char* is) { return word == is; });
+  };
   const std::vector<std::string> words = words_in(text);
-  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
-    for (const char* is : {"on", "at", "to", "place", "cut", "am", "im", "auf", "an", "au", "sur",
-                           "en", "al", "sulla", "op", "na", "no"})
-      if (word == is) return true;
-    for (const char* holds : {"bruch", "onfold", "pliure", "doblez", "mirror"})
-      if (word.find(holds) != std::string::npos) return true;
-    return false;
-  });
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (is_one(words[k], {"onfold", "cutonfold", "bruch", "stoffbruch", "pliure", "doblez"}))
+      return true;
+    if (!pattern::words_of(words[k]).fold) continue;
+    for (std::size_t i = k > kBefore ? k - kBefore : 0; i < k; ++i)
+      if (is_one(words[i], {"on", "at", "to", "place", "am", "im", "auf", "an", "au", "sur", "en",
+                            "al", "sulla", "op", "na", "no"}))
+        return true;
+  }
+  return false;
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::s
     result_.unused.push_back(line);
   }
   if (made.half_without_fold)
-    result_.doubts.push_back(printable(names[0]) + " may be half a piece, no line marks its fold");
+    result_.doubts.push_back(printable(names[0]) +
+                             " may be half a piece, no line on its outline marks its fold");
 }
 
 void PieceCollector::tell(const std::string& place, const PiecePanel& made, const PieceCount& count,
