@@ -3,6 +3,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "loosefit/base/text.h"
 
@@ -40,6 +41,29 @@ std::string option_name(const std::string& word) {
   return word[1] == '-' ? word.substr(0, word.find('=')) : word.substr(0, 2);
 }
 
+/// A number of another country, or one with its unit, where CLI11 could not convert it: "Could not
+/// convert: --chest = 0,92".
+std::optional<UsageError> explain_number(const std::string& complaint, const std::string& help) {
+  const std::size_t option = complaint.find("--"), equal = complaint.rfind(" = ");
+  if (option == std::string::npos || equal == std::string::npos || equal < option) return {};
+  const std::string name = complaint.substr(option, equal - option);
+  const std::string value = complaint.substr(equal + 3);
+  const std::size_t end = value.find_first_not_of("+-0123456789.,");
+  const std::string digits = value.substr(0, end);
+  if (digits.find_first_of("0123456789") == std::string::npos) return {};
+  const std::string found = "found \"" + printable(value) + "\" for " + name + ", expected ";
+  if (end != std::string::npos)
+    return UsageError{
+        found + "a number without a unit",
+        "lengths are in metres, angles of options that end in -deg in degrees; " + help};
+  if (std::count(digits.begin(), digits.end(), ',') != 1 || digits.find('.') != std::string::npos)
+    return UsageError{found + "a number", help};
+  std::string with_point = digits;
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return UsageError{found + "a number with a decimal point, not a decimal comma",
+                    "write " + name + " " + printable(with_point)};
+}
+
 }  // namespace
 
 UsageError explain_usage(const CLI::App& app, const std::vector<std::string>& words,
@@ -65,8 +89,10 @@ UsageError explain_usage(const CLI::App& app, const std::vector<std::string>& wo
     command = command->get_subcommand(word);
     called += " " + word;
   }
-  return {error.what(),
-          command == &app ? "loosefit --help, or loosefit COMMAND --help" : called + " --help"};
+  const std::string help =
+      command == &app ? "loosefit --help, or loosefit COMMAND --help" : called + " --help";
+  if (const auto number = explain_number(error.what(), help)) return *number;
+  return {error.what(), help};
 }
 
 }  // namespace loosefit

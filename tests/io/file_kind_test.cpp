@@ -1,8 +1,11 @@
 #include "loosefit/io/file_kind.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cctype>
+#include <random>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/garmentcode_read.h"
@@ -111,6 +114,77 @@ TEST(FileKind, FilesOfOtherProgramsAreNamedWithWhatToDo) {
         EXPECT_EQ(kind_of_file(in_utf16(bytes, little)), kind);
     }
   }
+}
+
+TEST(FileKind, LanguagesOfMachinesAreToldFromTextsOfAnyMoves) {
+  std::mt19937 draw(65);
+  std::uniform_int_distribution<int> number(-9999, 9999), few(2, 30);
+  for (int k = 0; k < 40; ++k) {
+    std::string plot = k % 2 ? "IN;SP1;" : "\nBP5,1;IN;PA;",
+                g = k % 2 ? "%\nO12\nG21 G90\n" : "(cut)\nN10 G21\nM3 S100\n",
+                cut = "H1*M20*N1*M15*";
+    for (int n = few(draw); n > 0; --n) {
+      const int x = number(draw), y = number(draw);
+      plot += fmt::format("PU{},{};PD{},{},{},{};", x, y, y, x, x, x);
+      g += fmt::format("{} X{}.5 Y{}\n", n % 3 ? "G1" : "G00", x, y);
+      cut += fmt::format("X{}Y{}*{}*", x, y, n % 2 ? "M14" : "M15");
+    }
+    EXPECT_EQ(kind_of_file(plot), "a plot file (HPGL)") << plot;
+    EXPECT_EQ(kind_of_file(plot + "LBFront piece\3PU;SP0;"), "a plot file (HPGL)") << plot;
+    EXPECT_EQ(kind_of_file(g), "a machine program (G-code)") << g;
+    EXPECT_EQ(kind_of_file(cut + "M0*"), "a cutter file (Gerber, ISO 6983)") << cut;
+    std::string small = plot;
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    EXPECT_EQ(kind_of_file(small), "a plot file (HPGL)") << small;
+    EXPECT_EQ(kind_of_file("\x1b"
+                           "E\x1b%0B" +
+                           plot)
+                  .find("a plot"),
+              0u);
+  }
+  EXPECT_EQ(kind_of_file("%FSLAX24Y24*%\n%MOMM*%\nG01*\n"), "a photoplot (Gerber RS-274X)");
+  for (const char* text : {"name,x\nA,1\n", "INSIDE;PD", "x 1 2\n", "G is a letter\n", "M1\n",
+                           "38,40,42\n", "X1,Y2\n1,2\n"})
+    EXPECT_EQ(kind_of_file(text), "") << text;
+}
+
+TEST(FileKind, MeshesModelsAndProjectsAreNamed) {
+  using namespace std::string_literals;
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"OFF\n4 4 6\n0 0 0\n", "a mesh (OFF)"},
+      {"OFF 4 4 6\n0 0 0\n", "a mesh (OFF)"},
+      {"# made by x\nCOFF\n4 4 6\n", "a mesh (OFF)"},
+      {"{\"asset\": {\"version\": \"2.0\"}, \"nodes\": []}", "a mesh (glTF)"},
+      {"MM\x10\0\0\0\x02\0\n\0\0\0"s, "a mesh (3DS)"},
+      {std::string(72, ' ') + "S      1\n", "a CAD model (IGES)"},
+      {"3D Geometry File Format        7", "a Rhino file (3DM)"},
+      {"\x93NUMPY\1\0"s, "an array of NumPy"},
+      {"PK\x03\x04....garment.zpac....avatar.avt", "a project of CLO or Marvelous Designer"},
+      {"PK\x03\x04....3D/3dmodel.model", "a mesh (3MF)"},
+      {"PK\x03\x04....mesh.usdc", "a mesh (USD)"},
+      {"BM\x36\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\0"s, "a picture (BMP)"},
+      {"# .PCD v.7\nVERSION .7\n", "a cloud of points (PCD)"},
+      {"ASTM/D13Proposal 1 Version: D 6673-04\n", "a table of grade rules (RUL)"},
+      {"<?xml version=\"1.0\"?><smis><unit>cm</unit></smis>",
+       "measures of Valentina or Seamly2D (XML)"},
+  };
+  for (const auto& [bytes, kind] : files) EXPECT_EQ(kind_of_file(bytes), kind);
+}
+
+TEST(FileKind, UnknownTextsAndBinaryFilesAreNotCalledBadJson) {
+  for (const auto& [name, bytes, words] :
+       {std::array<std::string, 3>{"x.txt", "hello world\n", "begins with \"hello world\""},
+        {"x.MDL", std::string("\1\2MDL\0\0", 7), "binary data"},
+        {"x.zprj", "ZPRJ 4 something\n", "begins with"}})
+    try {
+      parse_garmentcode(bytes, name);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find("syntax"), std::string::npos);
+      const std::string program = name == "x.MDL" ? "Lectra" : name == "x.zprj" ? "CLO" : "DXF";
+      EXPECT_NE(error.hint().find(program), std::string::npos) << error.hint();
+    }
 }
 
 TEST(FileKind, JsonOfOtherProgramsIsToldByItsKeys) {

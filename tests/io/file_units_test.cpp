@@ -162,5 +162,30 @@ TEST(FileUnits, TheSystemOfTheHeaderDecidesWhereNothingElseDoes) {
   EXPECT_TRUE(holds(choose_units("", says, 40, "f").warning, "which is no unit that is known"));
 }
 
+TEST(FileUnits, PagesAreReadWithDecimalCommasAndUnitsInAnyLetterCase) {
+  for (const auto& [unit, mm] : {std::pair{"mm", 1.0},
+                                 {"cm", 10.0},
+                                 {"MM", 1.0},
+                                 {"in", 25.4},
+                                 {"inch", 25.4},
+                                 {" mm", 1.0}})
+    for (const char* sign : {".", ","}) {
+      const std::string side = "400" + std::string(sign) + "5" + unit;
+      const double wide = mm > 5 ? 200 : 2000;
+      const PatternFile file = parse_svg_pattern(
+          drawing("width=\"" + side + "\" height=\"" + side + "\" viewBox=\"0 0 4005 4005\"", wide,
+                  wide, 1),
+          "x.svg");
+      EXPECT_NEAR(longest(file), 1e-3 * wide * 0.1 * mm, 1e-9) << side;
+    }
+  try {
+    parse_svg_pattern(drawing("width=\"40 cubits\" height=\"40mm\" viewBox=\"0 0 4 4\"", 1, 1, 1),
+                      "x.svg");
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_TRUE(holds(error.what(), "width: found \"40 cubits\"")) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace loosefit::io

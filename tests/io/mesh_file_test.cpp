@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/mesh_obj.h"
@@ -114,10 +116,83 @@ TEST_F(MeshFileTest, ErrorsNameTheLineAndTheWord) {
   EXPECT_NE(refusal("e.obj", three + "f 0 1 2\n").find("vertex 0"), std::string::npos);
   EXPECT_NE(refusal("f.obj", "v nan 0 0\n").find("nan"), std::string::npos);
   EXPECT_NE(refusal("g.obj", "").find("an empty file"), std::string::npos);
-  EXPECT_NE(refusal("h.xyz", "0 0 0\n1 0 0\n").find("extension .xyz"), std::string::npos);
+  EXPECT_NE(refusal("h.xyz", "0 0 0\n1 0 0\n").find("cloud of points"), std::string::npos);
   EXPECT_NE(refusal("i.obj", three).find("3 vertices and 0 faces"), std::string::npos);
   EXPECT_THROW(read_mesh(path("missing.obj")), IoError);
   EXPECT_THROW(read_mesh(folder_.string()), IoError);
+}
+
+TEST_F(MeshFileTest, FilesThatAreCutOffAnywhereSaySo) {
+  const std::vector<std::array<float, 3>> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::array<int, 3>> faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const auto head = [](const std::string& format) {
+    return "ply\nformat " + format +
+           " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  };
+  std::string text, bytes, stl = "solid x\n";
+  for (const auto& c : corners) {
+    text += fmt::format("{} {} {}\n", c[0], c[1], c[2]);
+    bytes.append(reinterpret_cast<const char*>(c.data()), 12);
+  }
+  for (const auto& f : faces) {
+    text += fmt::format("3 {} {} {}\n", f[0], f[1], f[2]);
+    bytes += '\3';
+    bytes.append(reinterpret_cast<const char*>(f.data()), 12);
+    stl += "facet normal 0 0 1\nouter loop\n";
+    for (const int k : f)
+      stl += fmt::format("vertex {} {} {}\n", corners[k][0], corners[k][1], corners[k][2]);
+    stl += "endloop\nendfacet\n";
+  }
+  const auto hint = [&](const std::string& name, const std::string& content) -> std::string {
+    try {
+      read_mesh(put(name, content));
+      return "read";
+    } catch (const Error& error) {
+      return error.hint();
+    }
+  };
+  const std::string ascii = head("ascii"), binary = head("binary_little_endian");
+  for (std::size_t n = 5; n < ascii.size() - 1; ++n)
+    EXPECT_NE(hint("h.ply", ascii.substr(0, n)).find("cut off"), std::string::npos) << n;
+  for (std::size_t n = 1; n + 2 < text.size(); ++n)
+    EXPECT_NE(hint("a.ply", ascii + text.substr(0, n)).find("cut off"), std::string::npos) << n;
+  for (std::size_t n = 1; n < bytes.size(); ++n)
+    EXPECT_NE(hint("b.ply", binary + bytes.substr(0, n)).find("cut off"), std::string::npos) << n;
+  for (std::size_t n = 30; n < stl.size(); ++n)
+    EXPECT_NE(hint("c.stl", stl.substr(0, n)).find("cut off"), std::string::npos)
+        << stl.substr(0, n);
+  EXPECT_NE(refusal("n.ply", binary + bytes.substr(0, 20)).find("in vertex 2 of 4"),
+            std::string::npos);
+  // Head and body of different formats.
+  EXPECT_NE(refusal("x.ply", binary + text).find("numbers as text behind end_header"),
+            std::string::npos);
+  EXPECT_NE(refusal("y.ply", ascii + bytes).find("binary data behind end_header"),
+            std::string::npos);
+  EXPECT_NE(hint("z.ply", head("binary_big_endian") + bytes).find("format line"),
+            std::string::npos);
+}
+
+TEST_F(MeshFileTest, WhatHoldsNoSurfaceIsNamedWithAWayToOne) {
+  for (const auto& [content, kind] :
+       {std::pair<std::string, std::string>{"\x89PNG\r\n\x1a\n", "a picture (PNG)"},
+        {"G21\nG0 X1 Y2\nG1 X3\n", "a machine program (G-code)"},
+        {"PK\x03\x04....word/document.xml", "a Word document (docx)"},
+        {"OFF 1 1 1\n", "a mesh (OFF)"},
+        {std::string("Kaydara FBX Binary  \0", 21), "a mesh (FBX)"},
+        {"what is this\n", "begins with \"what is this\""},
+        {"1 2 3\n4,5 6 7\n", "a cloud of points"}})
+    try {
+      read_mesh(put("x.dat", content));
+      FAIL() << kind;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(kind), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("a surface (OBJ, PLY or STL)"), std::string::npos);
+      EXPECT_TRUE(error.hint().find("OBJ") != std::string::npos ||
+                  error.hint().find("faces") != std::string::npos)
+          << error.hint();
+      EXPECT_EQ(error.hint().find("SVG"), std::string::npos) << "of use to patterns alone";
+    }
 }
 
 TEST_F(MeshFileTest, BrokenPlyHeadersAndBodies) {

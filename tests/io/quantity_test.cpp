@@ -113,6 +113,40 @@ TEST(PieceQuantity, CapitalsHandsAndWordsAreRead) {
     EXPECT_EQ(counts(find_quantity(std::string("Cut ") + six)), Pair(3, 3)) << six;
 }
 
+TEST(PieceQuantity, NumbersOfPiecesAndTwinsInTheWordsOfManyFiles) {
+  for (int n = 1; n <= 12; ++n) {
+    const std::string d = std::to_string(n);
+    for (const std::string& text : {"No. of pieces: " + d, "Number of pieces " + d,
+                                    "nb de pi\xc3\xa8"
+                                    "ces : " +
+                                        d,
+                                    "PI\xc3\x88"
+                                    "CES: " +
+                                        d,
+                                    "St\xc3\xbc"
+                                    "ck: " +
+                                        d,
+                                    "Anz. " + d, "Teile: " + d, "cut (" + d + ")",
+                                    "Cut [" + d + "]", "Cut-" + d, "copies: " + d, d + " required"})
+      EXPECT_EQ(counts(find_quantity(text)), halves(n)) << text;
+    for (const std::string& text : {d + " + mirror", d + "+mirror", d + " + " + d + " mirrored",
+                                    d + " and " + d + " reversed", "cut: " + d + " + mirror",
+                                    d + " und " + d + " gespiegelt"}) {
+      EXPECT_EQ(counts(find_quantity(text)), Pair(n, n)) << text;
+      EXPECT_EQ(counts(read_quantity(text)), Pair(n, n)) << text;
+    }
+  }
+  EXPECT_EQ(counts(find_quantity("cut left and right")), Pair(1, 1));
+  EXPECT_EQ(counts(find_quantity("Cut L + R")), Pair(1, 1));
+}
+
+TEST(PieceQuantity, WordsOfACountThatAreNotUnderstoodAreKnownAsSuch) {
+  for (const char* text : {"cut both left", "cut for size 38", "2 reversed sides"})
+    EXPECT_TRUE(speaks_of_count(text)) << text;
+  for (const char* text : {"cut 2", "front", "cut on fold", "size 38", "Teil 2", "N 7"})
+    EXPECT_FALSE(speaks_of_count(text)) << text;
+}
+
 TEST(PieceQuantity, NamesKeepWhatIsNoCount) {
   for (const auto& [text, name] :
        {std::pair{"sleeve x2", "sleeve"}, std::pair{"gore, cut 2, mirrored", "gore"},
@@ -124,8 +158,14 @@ TEST(PieceQuantity, NamesKeepWhatIsNoCount) {
 }
 
 TEST(PieceQuantity, KeysThatCountPieces) {
-  for (const char* key : {"Quantity", "QTY", "cut", "Cut Quantity", "Anzahl", "data_x"})
-    EXPECT_EQ(counts_pieces(key), std::string(key) != "data_x") << key;
+  for (const char* key : {"Quantity", "QTY", "cut", "Cut Quantity", "Anzahl", "No. of pieces",
+                          "Nr of Pieces", "Number of pieces",
+                          "Nb de pi\xc3\xa8"
+                          "ces",
+                          "Anzahl Teile", "Pieces", "cut-no"})
+    EXPECT_TRUE(counts_pieces(key)) << key;
+  for (const char* key : {"data_x", "Piece Name", "No.", "Number", "size"})
+    EXPECT_FALSE(counts_pieces(key)) << key;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "loosefit/io/scenario.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -174,6 +175,23 @@ TEST(ScenarioErrors, UnknownKeysAreRefusedWithAGuess) {
             "case.toml:1: bodi: found an unknown key, expected a known section | "
             "did you mean \"body\"?");
   EXPECT_NE(refusal("[garment]\nfit = { cheest = 0.1 }\n").find("\"chest\""), std::string::npos);
+}
+
+TEST(ScenarioErrors, InchesOfATapeAreHintedAtForEveryMeasure) {
+  for (const auto& [key, inches] : {std::pair{"chest", 36},
+                                    {"waist", 30},
+                                    {"hip", 38},
+                                    {"neck", 15},
+                                    {"thigh", 13},
+                                    {"wrist", 7},
+                                    {"calf", 14},
+                                    {"arm_length", 24}}) {
+    const std::string text = refusal("[body]\nmeasurements = { " + std::string(key) + " = " +
+                                     std::to_string(inches) + " }\n");
+    EXPECT_NE(text.find(fmt::format("{} inches is {:.4g}", inches, 0.0254 * inches)),
+              std::string::npos)
+        << text;
+  }
 }
 
 TEST(ScenarioErrors, UnitsRangesAndTypesAreNamed) {

@@ -70,6 +70,9 @@ std::string quoted(const std::vector<std::string>& texts) {
   return "[" + join(all) + "]";
 }
 
+constexpr double kInch = 0.0254;                          // [m]
+constexpr double kLeastOfTape = 0.05, kMostOfTape = 2.5;  // measures of people [m]
+
 }  // namespace
 
 std::string unit_hint(double value, const NumberRange& range) {
@@ -77,10 +80,14 @@ std::string unit_hint(double value, const NumberRange& range) {
   // What is a little too large is in metres: nobody counts parts of a centimetre.
   const double size = std::abs(value);
   if (size < 1 && size < 10 * range.high) return {};
+  std::string hint;
   for (const auto& [factor, unit] : {std::pair(0.01, "cm"), std::pair(0.001, "mm")})
-    if (within(value * factor, range))
-      return fmt::format("lengths are in metres: {:g} {} is {:g}", value, unit, value * factor);
-  return {};
+    if (hint.empty() && within(value * factor, range))
+      hint = fmt::format("{:g} {} is {:g}", value, unit, value * factor);
+  // Inches are what tapes have; what may be nothing is no tape measure.
+  if (range.low >= kLeastOfTape && value * kInch < kMostOfTape && within(value * kInch, range))
+    hint += fmt::format("{}{:g} inches is {:.4g}", hint.empty() ? "" : ", ", value, value * kInch);
+  return hint.empty() ? hint : "lengths are in metres: " + hint;
 }
 
 std::string unit_of(const NumberRange& range) {

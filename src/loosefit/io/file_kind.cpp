@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/machine_text.h"
 #include "loosefit/io/text_encoding.h"
 
 namespace loosefit::io {
@@ -55,6 +56,26 @@ bool is_obj(const std::vector<std::string>& lines) {
   return false;
 }
 
+/// "OFF", with letters before it for colours, normals and others.
+bool is_off(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (line[0] == '#') continue;
+    const std::string word = line.substr(0, line.find_first_of(" \t"));
+    const std::size_t letters = word.find("OFF");
+    return letters != std::string::npos && letters + 3 == word.size() &&
+           word.substr(0, letters).find_first_not_of("STCN4n") == std::string::npos;
+  }
+  return false;
+}
+
+/// Lines of 80 letters, the 73rd of them S in the first ones.
+bool is_iges(const std::string& text) {
+  if (text.size() < 80 || text[72] != 'S') return false;
+  return text.substr(0, 80).find_first_of("\r\n") == std::string::npos &&
+         text.find_first_not_of(" 0", 73) < 80 &&
+         std::isdigit(static_cast<unsigned char>(text[79])) != 0;
+}
+
 /// 80 free bytes, the number of triangles, 50 bytes each.
 bool is_binary_stl(const std::string& bytes) {
   if (bytes.size() < 134) return false;
@@ -76,7 +97,12 @@ constexpr const char* kToMesh = "convert it to OBJ, PLY or STL";
 constexpr const char* kMotion = "it moves markers or a skeleton: it holds no surface and no pieces";
 constexpr const char* kPicture =
     "a picture has no measures: trace it, and save the outlines as SVG";
+constexpr const char* kPoints =
+    "points without faces are no surface: mesh them first, as MeshLab does";
+constexpr const char* kProject =
+    "export the pattern there as DXF (AAMA or ASTM), or the avatar as OBJ";
 constexpr const char* kPlot = "export the pattern as DXF-AAMA or SVG instead";
+constexpr const char* kPrint = "a plot or print file (PCL)";
 constexpr const char* kUnpack = "unpack it and name a file in it";
 constexpr const char* kTable = "save its table as CSV UTF-8";
 
@@ -120,16 +146,44 @@ constexpr Signature kSignatures[] = {
     {"ftyp"sv, 4, "a film (MP4)", "it holds no surface and no pieces"},
     {"AutoCAD Binary DXF"sv, 0, "a DXF file", ""},
     {"AC10"sv, 0, "a DWG file", "export it as ASCII DXF"},
-    {"\x1b%-1"sv, 0, "a plot file (HPGL)", kPlot},
+    {"\x93NUMPY"sv, 0, "an array of NumPy", kToMesh},
+    {"\x89HDF\r\n"sv, 0, "an HDF5 file", ""},
+    {"\x80\x02"sv, 0, "a pickle of Python", kToMesh},
+    {"\x80\x03"sv, 0, "a pickle of Python", kToMesh},
+    {"\x80\x04\x95"sv, 0, "a pickle of Python", kToMesh},
+    {"\x80\x05\x95"sv, 0, "a pickle of Python", kToMesh},
+    {"MATLAB 5.0 MAT-file"sv, 0, "a MATLAB file", ""},
+    {"OCTM"sv, 0, "a mesh (CTM)", kToMesh},
+    {"DRACO"sv, 0, "a mesh (Draco)", kToMesh},
+    {"\x02\0\n\0\0\0"sv, 6, "a mesh (3DS)", kToMesh},
+    {"LWO"sv, 8, "a mesh (LightWave)", kToMesh},
+    {"QC4DC4D6"sv, 0, "a Cinema 4D file", kToMesh},
+    {"FOR4"sv, 0, "a Maya file", kToMesh},
+    {"FOR8"sv, 0, "a Maya file", kToMesh},
+    {"3D Geometry File Format"sv, 0, "a Rhino file (3DM)", kToMesh},
+    {"\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h"sv, 0, "a SketchUp file", kToMesh},
+    {"# .PCD"sv, 0, "a cloud of points (PCD)", kPoints},
+    {"\xd7\xcd\xc6\x9a"sv, 0, "a picture (WMF)", kPlot},
+    {" EMF"sv, 40, "a picture (EMF)", kPlot},
+    {"ASTM/D13Proposal"sv, 0, "a table of grade rules (RUL)",
+     "it belongs to a DXF file, which holds the pieces: name that"},
+    {"#PES"sv, 0, "an embroidery (PES)", kPlot},
+    {"#PEC"sv, 0, "an embroidery (PEC)", kPlot},
+    {"LA:"sv, 0, "an embroidery (DST)", kPlot},
+    {"\x1b%"sv, 0, "a plot file (HPGL)", kPlot},
     {"\x1b."sv, 0, "a plot file (HPGL)", kPlot},
+    {"\x1b"
+     "E"sv,
+     0, kPrint, kPlot},
+    {"\x1b("sv, 0, kPrint, kPlot},
+    {"\x1b&"sv, 0, kPrint, kPlot},
+    {"\x1b*"sv, 0, kPrint, kPlot},
     {"\x02P"sv, 0, "a motion (C3D)", kMotion},
     {"SQLite format 3"sv, 0, "a database (SQLite)", ""},
     {"version https://git-lfs.github.com"sv, 0, "a Git LFS pointer, not the file it stands for",
      "run `git lfs pull` where it was cloned, or download the file itself"},
     {"HIERARCHY"sv, 0, "a motion (BVH)", kMotion},
     {"PathFileType"sv, 0, "a motion (TRC)", kMotion},
-    {"OFF\n"sv, 0, "a mesh (OFF)", kToMesh},
-    {"OFF\r"sv, 0, "a mesh (OFF)", kToMesh},
     {"ply\n"sv, 0, "a mesh (PLY)", ""},
     {"ply\r"sv, 0, "a mesh (PLY)", ""},
 };
@@ -148,6 +202,14 @@ FileKind in_zip(const std::string& text) {
   if (has_word(text, "opendocument.spreadsheet")) return {"a spreadsheet (ods)", kTable};
   if (has_word(text, "opendocument.")) return {"an OpenDocument file", ""};
   if (has_word(text, "3D/3dmodel")) return {"a mesh (3MF)", kToMesh};
+  if (has_word(text, ".zpac") || has_word(text, ".avt") || has_word(text, ".zprj"))
+    return {"a project of CLO or Marvelous Designer", kProject};
+  if (has_word(text, ".usda") || has_word(text, ".usdc")) return {"a mesh (USD)", kToMesh};
+  if (has_word(text, ".npy")) return {"arrays of NumPy (npz)", kToMesh};
+  if (has_word(text, "ppt/")) return {"a PowerPoint document (pptx)", kPlot};
+  if (has_word(text, "document.json") && has_word(text, "pages/"))
+    return {"a drawing of Sketch", kPlot};
+  if (has_word(text, "Index/") && has_word(text, ".iwa")) return {"a document of iWork", kTable};
   return {"a ZIP archive", kUnpack};
 }
 
@@ -172,8 +234,10 @@ FileKind in_xml(const std::string& text, std::size_t start) {
   if (root == "svg") return {"an SVG drawing", ""};
   if (root == "html" || lower(text.substr(start, 14)) == "<!doctype html")
     return {"a web page", "save the file itself, not the page that shows it"};
-  if (root == "pattern" || root == "vit" || root == "vst")
-    return {"a Valentina or Seamly2D file (XML)", ""};
+  if (root == "pattern") return {"a Valentina or Seamly2D file (XML)", ""};
+  if (root == "vit" || root == "vst" || root == "smis" || root == "smms")
+    return {"measures of Valentina or Seamly2D (XML)",
+            "they belong to a pattern (.val, .sm2d), which names them: name that"};
   if (root == "vtkfile") return {"a mesh (VTK)", kToMesh};
   if (root == "collada") return {"a mesh (COLLADA)", kToMesh};
   if (root == "x3d") return {"a mesh (X3D)", kToMesh};
@@ -190,7 +254,10 @@ bool has_keys(const std::string& text, std::initializer_list<const char*> keys) 
 
 /// JSON, by the keys in its beginning; GarmentCode itself is no other kind.
 FileKind in_json(const std::string& text) {
-  if (has_keys(text, {"asset", "meshes"})) return {"a mesh (glTF)", kToMesh};
+  if (has_keys(text, {"asset"}) && (has_keys(text, {"meshes"}) || has_keys(text, {"nodes"}) ||
+                                    has_keys(text, {"scenes"}) || has_keys(text, {"buffers"})))
+    return {"a mesh (glTF)", kToMesh};
+  if (has_keys(text, {"metadata", "geometries"})) return {"a mesh (three.js)", kToMesh};
   if (has_keys(text, {"pattern", "panels"})) return {};
   if (has_word(text, "freesewing") || has_word(text, "FreeSewing") ||
       has_keys(text, {"paths", "ops"}) ||
@@ -221,23 +288,6 @@ bool is_json_list(const std::string& text, std::size_t start) {
   return (c == '"' || digit(c)) && text.find('=') == std::string::npos;
 }
 
-/// Instructions of two capital letters, each with its numbers, as a plotter takes them.
-bool is_hpgl(const std::string& text, std::size_t start) {
-  const std::string_view first = std::string_view(text).substr(start, 2);
-  constexpr std::string_view kOpening[] = {"IN", "DF", "SP", "PU", "PD", "PA", "PR",
-                                           "IP", "SC", "VS", "RO", "LT", "PS"};
-  const bool opens =
-      std::find(std::begin(kOpening), std::end(kOpening), first) != std::end(kOpening);
-  if (!opens) return false;
-  const std::string some = text.substr(start, 2000);
-  const bool only = std::all_of(some.begin(), some.end(), [](char c) {
-    return (c >= 'A' && c <= 'Z') || std::isdigit(static_cast<unsigned char>(c)) || is_space(c) ||
-           c == ';' || c == ',' || c == '-' || c == '.';
-  });
-  return only && some.find_first_of("0123456789") != std::string::npos && has_word(some, ";") &&
-         (has_word(some, "PU") || has_word(some, "PD"));
-}
-
 bool is_key(const std::string& word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.' ||
@@ -265,6 +315,12 @@ bool is_yaml(const std::vector<std::string>& lines) {
   return false;
 }
 
+/// Windows bitmaps have four zeros after the length.
+bool is_bitmap(const std::string& bytes) {
+  return bytes.size() > 18 && bytes.starts_with("BM") &&
+         bytes.compare(6, 4, std::string(4, '\0')) == 0 && bytes[14] != 0;
+}
+
 bool is_binary(const std::string& text) {
   const std::string_view some = std::string_view(text).substr(0, 4096);
   return some.find('\0') != std::string_view::npos;
@@ -277,6 +333,7 @@ FileKind recognise_file(const std::string& bytes) {
     if (bytes.size() >= s.offset + s.bytes.size() &&
         std::string_view(bytes).substr(s.offset, s.bytes.size()) == s.bytes)
       return {s.name, s.advice};
+  if (is_bitmap(bytes)) return {"a picture (BMP)", kPicture};
   if (bytes.starts_with("RIFF") && bytes.size() > 12) return in_riff(bytes.substr(0, 12));
   if (bytes.starts_with("PK\x03\x04")) return in_zip(bytes.substr(0, kBeginning));
   const std::string text = plain_text(bytes.substr(0, kBeginning));
@@ -298,10 +355,37 @@ FileKind recognise_file(const std::string& bytes) {
   if (is_obj(lines)) return {"a mesh (OBJ)", ""};
   if (has_word(text, "endheader") && has_word(text, "nRows"))
     return {"a motion (OpenSim)", kMotion};
-  if (is_hpgl(text, start)) return {"a plot file (HPGL)", kPlot};
+  if (is_off(lines)) return {"a mesh (OFF)", kToMesh};
+  if (is_iges(text)) return {"a CAD model (IGES)", kToMesh};
+  if (const std::string language = machine_language(text); !language.empty())
+    return {language, kPlot};
   if (is_toml(lines)) return {"a TOML file", ""};
   if (is_yaml(lines)) return {"a YAML file", ""};
   if (is_binary(text)) return {kUnknownBinary, ""};
+  return {};
+}
+
+std::string advice_by_name(const std::string& file) {
+  constexpr struct {
+    std::string_view endings;  ///< a stroke before and behind each
+    const char* program;
+  } kProjects[] = {{"|zprj|zpac|pac|avt|avac|zfab|", "CLO or Marvelous Designer"},
+                   {"|mdl|iba|vet|mdlx|plx|", "Lectra"},
+                   {"|pds|dsn|dsp|mrk|", "Optitex"},
+                   {"|tmp|pce|sty|", "Gerber AccuMark"},
+                   {"|bw|vsgx|", "Browzwear"},
+                   {"|prjx|sproj|zst|", "Style3D"},
+                   {"|gemini|gem|", "Gemini"},
+                   {"|ptn|pat|", "Audaces or PatternMaker"},
+                   {"|max|", "3ds Max"},
+                   {"|ztl|zpr|", "ZBrush"},
+                   {"|studio|studio3|", "Silhouette Studio"}};
+  const std::size_t dot = file.rfind('.');
+  if (dot == std::string::npos || file.find('/', dot) != std::string::npos) return {};
+  const std::string ending = '|' + lower(file.substr(dot + 1)) + '|';
+  for (const auto& [endings, program] : kProjects)
+    if (endings.find(ending) != std::string_view::npos)
+      return std::string("by its name it is a file of ") + program + ": " + kProject;
   return {};
 }
 
@@ -310,7 +394,8 @@ std::string kind_of_file(const std::string& bytes) { return recognise_file(bytes
 void refuse_other_kinds(const std::string& bytes, const std::string& file,
                         const std::string& expected, const std::vector<std::string>& read_here,
                         const std::string& hint) {
-  const FileKind kind = recognise_file(bytes);
+  FileKind kind = recognise_file(bytes);
+  if (kind.name == kUnknownBinary) kind.advice = advice_by_name(file);
   if (kind.name.empty() ||
       std::find(read_here.begin(), read_here.end(), kind.name) != read_here.end())
     return;

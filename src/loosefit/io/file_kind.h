@@ -19,6 +19,10 @@ FileKind recognise_file(const std::string& bytes);
 /// Its name alone.
 std::string kind_of_file(const std::string& bytes);
 
+/// What to do about a file whose content nobody here knows, by the ending of its name: projects of
+/// apparel programs; empty: that says nothing either.
+std::string advice_by_name(const std::string& file);
+
 /// Refuses a file of another kind before its reader meets a first bad letter in it.
 /// \param expected  what is read here: "a TOML file"
 /// \param read_here  names of kinds that are; files of no known kind always are

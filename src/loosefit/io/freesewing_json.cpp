@@ -49,17 +49,21 @@ class Reader {
       const bool fabric = has(" fabric ") && !has(" sa ") && !has(" help ") && !has(" hidden ") &&
                           !has(" dashed ") && !has(" lashed ") && !has(" dotted ");
       const bool plain = classes.find_first_not_of(' ') == std::string::npos;
-      const bool sewn = path_name == "seam" || fabric || plain;
+      const bool other_cloth = has(" lining ") || has(" interfacing ") || has(" canvas ");
+      const bool seam = path_name == "seam" && (fabric || !other_cloth);
+      const bool sewn = seam || fabric || plain;
       if (!fold && !grain && !sewn) {
         left_.count(has(" sa ") ? std::string("seam allowances")
                                 : "paths of class \"" + trimmed(classes) + '"',
                     path_name);
+        if (has(" sa ") || !path.contains("ops")) continue;
+        for (const SvgRun& run : read_ops(path, here))
+          if (SampledRun line = line_of(run); line.closed && line.points.size() > 2)
+            part.others.push_back({std::move(line.points), trimmed(classes), here});
         continue;
       }
       for (const SvgRun& run : read_ops(path, here)) {
-        SampledRun line = sampled(run, kTolerance);
-        for (std::vector<Vec2>* points : {&line.points, &line.nodes})
-          for (Vec2& p : *points) p = Vec2(kMm * p.x(), -kMm * p.y());
+        SampledRun line = line_of(run);
         if (fold || grain) {
           const Axis axis(line.points.front(), line.points.back());
           if (fold && line.nodes.size() > 1)
@@ -72,7 +76,7 @@ class Reader {
         part.lines.push_back({{std::move(line.points), line.closed, true},
                               std::move(line.nodes),
                               path_name,
-                              path_name == "seam" || fabric,
+                              seam || fabric,
                               here});
       }
     }
@@ -112,6 +116,14 @@ class Reader {
   static std::string trimmed(const std::string& text) {
     const std::size_t a = text.find_first_not_of(' '), b = text.find_last_not_of(' ');
     return a == std::string::npos ? std::string() : printable(text.substr(a, b - a + 1), 60);
+  }
+
+  /// [m], y up
+  static SampledRun line_of(const SvgRun& run) {
+    SampledRun line = sampled(run, kTolerance);
+    for (std::vector<Vec2>* points : {&line.points, &line.nodes})
+      for (Vec2& p : *points) p = Vec2(kMm * p.x(), -kMm * p.y());
+    return line;
   }
 
   /// What FreeSewing writes at a path or a point.
@@ -256,8 +268,6 @@ PatternFile parse_freesewing_json(const std::string& text, const std::string& fi
   LeftOut& left = reader.left();
   std::vector<CountedPiece> drawn;
   for (const FreesewingPart& part : parts) {
-    if (!part.has_outline())
-      left.unused.push_back("part " + printable(part.name) + ": it has no path \"seam\"");
     for (CountedPiece& one : drawn_freesewing(part, reader.marked(), names, left))
       drawn.push_back(std::move(one));
   }

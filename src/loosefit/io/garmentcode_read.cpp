@@ -298,6 +298,12 @@ void refuse_no_pattern(const std::string& text, const std::string& file) {
   if (kind.name.find("mesh") != std::string::npos)
     throw InvalidInput({file, 0, {}}, kind.name, kExpected,
                        "a mesh has no flat pieces; a scanned body is read by body.file");
+  // Models of CAD and of other programs come as meshes at best.
+  if (kind.advice.starts_with("convert it to OBJ"))
+    throw InvalidInput({file, 0, {}}, kind.name, kExpected,
+                       "it has no flat pieces; a scanned body is read by body.file, as OBJ, PLY or "
+                       "STL; " +
+                           std::string(kPatterns));
   refuse_other_kinds(text, file, kExpected, {}, kPatterns);
 }
 
@@ -373,10 +379,24 @@ void note_draft(const Node& root, PatternFile& file) {
                     kDraftKey));
 }
 
+/// Text that does not even begin as JSON is another thing, told by how it begins.
+void refuse_other_text(const std::string& text, const std::string& file) {
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos || text[start] == '{' || text[start] == '[') return;
+  const std::size_t end = std::min(text.find_first_of("\r\n", start), text.size());
+  const std::string advice = advice_by_name(file);
+  throw InvalidInput({file, 0, {}},
+                     "a file of no known kind that begins with \"" +
+                         printable(text.substr(start, std::min<std::size_t>(end - start, 40))) +
+                         '"',
+                     kExpected, advice + (advice.empty() ? "" : "; ") + kPatterns);
+}
+
 Json parse_json(const std::string& text, const std::string& file) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& e) {
+    refuse_other_text(text, file);
     const std::size_t at = std::min(e.byte, text.size());
     const int line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + at, '\n'));
     std::string what = e.what();  // "[json.exception.…] parse error at line …: syntax error …"
@@ -428,8 +448,17 @@ PatternFile parse_garmentcode(const std::string& text, const std::string& file) 
     throw GeometryError(file + ": " + e.what(), e.hint());
   }
   set_panel_order(result.pattern, order);
-  for (const pattern::Panel& panel : result.pattern.panels) {
+  std::set<int> sewn;
+  for (const pattern::Stitch& stitch : result.pattern.stitches)
+    sewn.insert({stitch.first.panel, stitch.second.panel});
+  for (std::size_t p = 0; p < result.pattern.panels.size(); ++p) {
+    const pattern::Panel& panel = result.pattern.panels[p];
     std::string line = "panel " + printable(panel.name) + ": its outline";
+    if (!sewn.empty() && sewn.count(static_cast<int>(p)) == 0) {
+      line += ", sewn to nothing";
+      result.warnings.push_back("panel " + printable(panel.name) +
+                                ": no stitch sews it to anything, it is taken all the same");
+    }
     for (const pattern::PanelHole& hole : panel.holes)
       line += ", hole \"" + printable(hole.name) + "\" cut";
     result.used.push_back(std::move(line));

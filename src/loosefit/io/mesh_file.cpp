@@ -11,21 +11,57 @@
 #include <utility>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/io/file_kind.h"
 #include "loosefit/io/mesh_obj.h"
 #include "loosefit/io/mesh_ply.h"
 #include "loosefit/io/mesh_stl.h"
 #include "loosefit/io/text_encoding.h"
+#include "loosefit/io/text_lines.h"
 
 namespace loosefit::io {
 namespace {
 
+constexpr const char* kSurface = "a surface (OBJ, PLY or STL)";
 constexpr const char *kObj = "a mesh (OBJ)", *kPly = "a mesh (PLY)", *kStl = "a mesh (STL)";
 
 std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   for (auto& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
   return extension;
+}
+
+constexpr const char* kExport = "export the scan as OBJ, PLY or STL";
+constexpr const char* kNoFaces =
+    "points without faces are no surface: mesh them first, as MeshLab does";
+
+/// Numbers and nothing else in its first lines, three or more in each but the first.
+bool is_rows_of_points(const std::string& text) {
+  TextLines lines(std::string_view(text).substr(0, 2000), {});
+  int rows = 0;
+  for (int k = 0; k < 5 && lines.next(); ++k) {
+    for (const std::string_view word : lines.words()) {
+      double value = 0;
+      if (!number_in(word, value)) return false;
+    }
+    rows += lines.words().size() >= 3;
+  }
+  return rows > 0;
+}
+
+/// What is no surface is named, with a way to one: what helps a reader of patterns is of no use.
+void refuse_no_surface(const std::string& bytes, const std::string& path) {
+  const FileKind kind = recognise_file(bytes);
+  if (kind.name.empty()) {
+    if (is_rows_of_points(plain_text(bytes)))
+      throw InvalidInput({path, 0, ""}, "rows of numbers, a cloud of points", kSurface, kNoFaces);
+    return;
+  }
+  std::string advice = kind.name == kUnknownBinary ? advice_by_name(path) : kind.advice;
+  const auto has = [&](const char* word) { return advice.find(word) != std::string::npos; };
+  if (!has("OBJ") && !has("pack") && !has("faces") && !has("file itself") && !has("again"))
+    advice = kExport;
+  throw InvalidInput({path, 0, ""}, kind.name, kSurface, advice);
 }
 
 geometry::TriangleMesh parse(const std::string& bytes, const std::string& path) {
@@ -36,14 +72,19 @@ geometry::TriangleMesh parse(const std::string& bytes, const std::string& path) 
   // An STL that is cut off has nothing that tells it but its name.
   if (extension == ".stl" && (kind.empty() || kind == kUnknownBinary))
     return parse_stl(bytes, path);
-  refuse_other_kinds(bytes, path, "a surface (OBJ, PLY or STL)");
+  refuse_no_surface(bytes, path);
   if (extension == ".obj") return parse_obj(plain_text(bytes), path);
   if (bytes.starts_with("solid")) return parse_stl(bytes, path);
   if (extension == ".ply")
     throw InvalidInput({path, 1, ""}, "something else",
                        "the word ply, with which a PLY file starts");
-  throw InvalidInput({path, 0, ""}, extension.empty() ? "no extension" : "extension " + extension,
-                     "an .obj, .ply or .stl surface");
+  const std::string text = plain_text(bytes.substr(0, 1000));
+  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  const std::size_t end = std::min(text.find_first_of("\r\n", start), start + 40);
+  throw InvalidInput({path, 0, ""},
+                     "a file of no known kind that begins with \"" +
+                         printable(text.substr(start, end - start)) + '"',
+                     kSurface, kExport);
 }
 
 /// What comments of an OBJ or a PLY say of the unit, as in "# File units = inches" and in our own
@@ -96,10 +137,7 @@ MeshFile read_mesh(const std::string& path) {
     throw InvalidInput({path, 0, ""},
                        fmt::format("{} vertices and {} faces", file.mesh.vertices.size(),
                                    file.mesh.triangles.size()),
-                       "a surface",
-                       file.mesh.vertices.size() > 3
-                           ? "points without faces are no surface: mesh them first, as MeshLab does"
-                           : "");
+                       "a surface", file.mesh.vertices.size() > 3 ? kNoFaces : "");
   }
   drop_degenerate(file);
   return file;

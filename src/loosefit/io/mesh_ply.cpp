@@ -65,6 +65,8 @@ Header read_header(TextLines& lines) {
   bool has_format = false;
   while (lines.next()) {
     const auto words = lines.words();
+    if (lines.at_end() && (words.empty() || words[0] != "end_header"))
+      lines.fail_cut_off("in its head", "end_header");
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info" || words[0] == "ply")
       continue;
     if (words[0] == "end_header") {
@@ -95,7 +97,32 @@ Header read_header(TextLines& lines) {
       lines.fail("\"" + printable(std::string(words[0])) + "\"", "a PLY header line");
     }
   }
-  lines.fail("the end of the file", "end_header");
+  lines.fail_cut_off("in its head", "end_header");
+}
+
+std::string format_of(const Header& header) {
+  return !header.binary ? "ascii" : header.big ? "binary_big_endian" : "binary_little_endian";
+}
+
+bool is_control(char c) {
+  const auto u = static_cast<unsigned char>(c);
+  return u < 0x20 && c != '\t' && c != '\n' && c != '\r';
+}
+
+/// The head and the body of a file may be of different writers.
+void check_format(const TextLines& lines, std::string_view bytes, const Header& header) {
+  const std::string_view some = bytes.substr(lines.offset(), 1000);
+  if (some.empty() || header.elements.empty() || header.elements[0].count == 0) return;
+  if (!header.binary && std::any_of(some.begin(), some.end(), is_control))
+    lines.fail("binary data behind end_header", "text, as its head says: format ascii",
+               "its format line is wrong, or the file was put together from two");
+  const bool text = std::all_of(some.begin(), some.end(), [](char c) {
+    return (c >= '0' && c <= '9') || std::string_view(" \t\r\n.,+-eE").find(c) != std::string::npos;
+  });
+  if (header.binary && text && some.size() >= 8)
+    lines.fail("numbers as text behind end_header",
+               "binary data, as its head says: format " + format_of(header),
+               "its format line is wrong: text is `format ascii 1.0`");
 }
 
 /// Hands out the numbers of the body one by one, from text or bytes.
@@ -103,6 +130,9 @@ class Values {
  public:
   Values(TextLines& lines, std::string_view bytes, const Header& header)
       : lines_(lines), bytes_(bytes), at_(lines.offset()), header_(header) {}
+
+  /// What is read now, for messages.
+  void at(const Element& element, std::size_t item) { element_ = &element, item_ = item; }
 
   double next(Kind kind) {
     if (!header_.binary) return next_word();
@@ -130,7 +160,7 @@ class Values {
  private:
   template <class T>
   double take() {
-    if (bytes_.size() - at_ < sizeof(T)) lines_.fail("the end of the file", "more data");
+    if (bytes_.size() - at_ < sizeof(T)) cut_off();
     std::array<char, sizeof(T)> raw;
     std::memcpy(raw.data(), bytes_.data() + at_, sizeof(T));
     if (header_.big) std::reverse(raw.begin(), raw.end());
@@ -141,16 +171,24 @@ class Values {
   }
   double next_word() {
     while (word_ >= words_.size()) {
-      if (!lines_.next()) lines_.fail("the end of the file", "more data");
+      if (!lines_.next()) cut_off();
       words_ = lines_.words();
       word_ = 0;
     }
     return lines_.number_of(words_[word_++]);
   }
 
+  [[noreturn]] void cut_off() const {
+    lines_.fail_cut_off("in " + element_->name + " " + std::to_string(item_ + 1) + " of " +
+                            std::to_string(element_->count),
+                        "as many as its head says");
+  }
+
   TextLines& lines_;
   std::string_view bytes_;
   std::size_t at_;
+  const Element* element_ = nullptr;
+  std::size_t item_ = 0;
   const Header& header_;
   std::vector<std::string_view> words_;
   std::size_t word_ = 0;
@@ -166,7 +204,8 @@ void read_face(const TextLines& lines, const std::vector<double>& written, std::
   for (const double index : written) {
     if (!(index >= 0 && index < double(vertex_count)) || index != double(int(index))) {
       lines.fail("a face with vertex " + shortest(index),
-                 "vertices from 0 to " + std::to_string(vertex_count) + " - 1");
+                 "vertices from 0 to " + std::to_string(vertex_count) + " - 1",
+                 "is the format line right (text, low or high byte first), and the file whole?");
     }
     corners.push_back(int(index));
   }
@@ -197,6 +236,7 @@ void read_strips(const TextLines& lines, const std::vector<double>& written,
 geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path) {
   TextLines lines(bytes, path);
   const Header header = read_header(lines);
+  check_format(lines, bytes, header);
   geometry::TriangleMesh mesh;
   Values values(lines, bytes, header);
   // Faces may stand before the vertices they refer to.
@@ -208,6 +248,7 @@ geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path
     // Every item of every element is read, wanted or not: a body has no other structure.
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) {
+      values.at(element, i);
       Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
       for (const auto& property : element.properties) {
         // Single numbers: those called x, y and z are the point.
@@ -224,7 +265,9 @@ geometry::TriangleMesh parse_ply(std::string_view bytes, const std::string& path
         const bool strips = element.name == "tristrips" && corners;
         const double most = strips ? kMostOfStrips : kMostCorners;
         if (!(count >= 0 && count <= most))
-          lines.fail(shortest(count) + " list entries", "0 to " + shortest(most));
+          lines.fail(
+              shortest(count) + " list entries", "0 to " + shortest(most),
+              "is the format line right (text, low or high byte first), and the file whole?");
         std::vector<double> list;
         for (int k = 0; k < int(count); ++k) list.push_back(values.next(property.kind));
         if (strips) read_strips(lines, list, vertex_count, mesh);

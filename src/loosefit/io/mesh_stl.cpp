@@ -63,6 +63,10 @@ bool is_text(std::string_view bytes) {
   return bytes.substr(0, 1000).find('\0') == std::string_view::npos;
 }
 
+std::string after(const geometry::TriangleMesh& mesh) {
+  return "after " + std::to_string(mesh.triangles.size()) + " triangles";
+}
+
 /// \throws InvalidInput, always, with what is wrong with a binary file of that length.
 [[noreturn]] void refuse_length(std::string_view bytes, const std::string& path) {
   if (bytes.size() < kHeaderBytes)
@@ -99,6 +103,9 @@ geometry::TriangleMesh parse_stl(std::string_view bytes, const std::string& path
     if (!solid) lines.fail("something else", "a binary STL of the length it states, or \"solid\"");
     ended = ended || words[0] == "endsolid";
     if (words[0] == "vertex") {
+      // The last line of a file that is cut off may end within a number.
+      if (lines.at_end())
+        lines.fail_cut_off(after(mesh), "endloop, endfacet and endsolid behind its corners");
       if (words.size() != 4) lines.fail(std::to_string(words.size() - 1) + " coordinates", "three");
       corners.push_back(weld.vertex(
           {lines.number_of(words[1]), lines.number_of(words[2]), lines.number_of(words[3])}));
@@ -108,12 +115,8 @@ geometry::TriangleMesh parse_stl(std::string_view bytes, const std::string& path
       corners.clear();
     }
   }
-  if (!corners.empty()) lines.fail("the end of the file", "endloop");
-  if (!ended)
-    throw InvalidInput(
-        {path, lines.number(), ""},
-        "the end of the file after " + std::to_string(mesh.triangles.size()) + " triangles",
-        "endsolid", "the file is cut off: copy or export it again");
+  if (!corners.empty()) lines.fail_cut_off(after(mesh), "endloop");
+  if (!ended) lines.fail_cut_off(after(mesh), "endsolid");
   return mesh;
 }
 

@@ -22,6 +22,7 @@ struct PatternFile {
   std::vector<std::string> about;       ///< what the file says of itself: format, units, sizes
   std::vector<std::string> used;        ///< the pieces that were taken, each with how
   std::vector<std::string> unused;      ///< what stands in the file and was not used, and why
+  std::vector<std::string> doubts;      ///< of its pieces: unasked, they are not sewn
   pattern::QuarterTurns turns;          ///< that a side file asks for
   bool placed = true;           ///< it says where its panels start, or it was told by what they are
   std::string not_placed;       ///< why it could not be told

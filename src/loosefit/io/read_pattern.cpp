@@ -41,7 +41,10 @@ void sew(PatternFile& file, const std::filesystem::path& from) {
     if (!file.pattern.stitches.empty()) return;
   }
   const pattern::KnownGarment known = pattern::know_garment(file.pattern);
-  if (known.certain()) {
+  // Whoever wrote a side file has looked at the pieces.
+  std::vector<std::string> doubts = known.doubts;
+  if (from.empty()) doubts.insert(doubts.end(), file.doubts.begin(), file.doubts.end());
+  if (known.certain() && doubts.empty()) {
     const std::size_t count = known.seams.size();
     pattern::sew_chains(file.pattern, known.seams, file.notches);
     file.about.push_back(
@@ -51,10 +54,13 @@ void sew(PatternFile& file, const std::filesystem::path& from) {
     return;
   }
   file.not_placed = "it has no seams: none in a side file, and ";
-  file.not_placed +=
-      known.kind.empty()
-          ? std::string("its pieces are not those of a garment that is known")
-          : "as " + known.kind + " it leaves doubts (" + join(known.doubts, "; ") + ")";
+  file.not_placed += known.kind.empty()
+                         ? std::string("its pieces are not those of a garment that is known")
+                         : "as " + known.kind + " it leaves doubts (" + join(doubts, "; ") + ")";
+  if (known.certain())
+    file.not_placed_hint =
+        "draw the fold (a line called \"fold\", in a DXF one on layer 6), or, if the pieces are "
+        "whole as drawn, confirm their seams in a side file (--propose-seams)";
 }
 
 /// \param side_file that says how it is sewn; empty: none

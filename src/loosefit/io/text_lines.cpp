@@ -52,8 +52,13 @@ long TextLines::integer_of(std::string_view word) const {
   return value;
 }
 
-void TextLines::fail(const std::string& found, const std::string& expected) const {
-  throw InvalidInput({path_, number_, ""}, found, expected);
+void TextLines::fail(const std::string& found, const std::string& expected,
+                     const std::string& hint) const {
+  throw InvalidInput({path_, number_, ""}, found, expected, hint);
+}
+
+void TextLines::fail_cut_off(const std::string& found, const std::string& expected) const {
+  fail("the end of the file " + found, expected, "the file is cut off: copy or export it again");
 }
 
 }  // namespace loosefit::io

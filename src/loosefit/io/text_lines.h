@@ -22,7 +22,11 @@ class TextLines {
   /// \throws InvalidInput when the word is no whole number.
   long integer_of(std::string_view word) const;
   /// \throws InvalidInput, always, with file and line.
-  [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
+  [[noreturn]] void fail(const std::string& found, const std::string& expected,
+                         const std::string& hint = {}) const;
+  /// \throws InvalidInput, always: the file ends too early. \param found  what was read before
+  [[noreturn]] void fail_cut_off(const std::string& found, const std::string& expected) const;
+  bool at_end() const { return at_ >= text_.size(); }  ///< the current line is the last one
 
  private:
   std::string_view text_;

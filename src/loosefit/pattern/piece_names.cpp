@@ -172,16 +172,23 @@ bool says(const Known& known, const std::string& word) {
 
 PieceWords words_of(const std::string& name) {
   PieceWords words;
-  bool rt = false, mirrored = false, side = false, button = false;
+  bool rt = false, mirrored = false, side = false, button = false, strip = false;
+  bool test = false, square = false;
   for (const std::string& word : split(name.substr(0, 200))) {
+    test |= word == "test", square |= word == "square" || word == "quadrat";
     rt |= word == "rt", mirrored |= word == "mirrored", side |= word == "side";
     button |= word.starts_with("button") || word.starts_with("knopf") || word == "drill";
+    // "Neckline facing" is sewn to a neckline.
+    for (const char* begins : {"facing", "beleg", "parement", "interfac", "interlin", "lining",
+                               "futter", "einlage", "binding", "band", "bias", "rib"})
+      strip |= word.starts_with(begins);
     const std::string rest = behind_letters(word, words);
     for (const Known& one : known())
       if (!word.empty() && (says(one, word) || (!rest.empty() && says(one, rest))))
         words.*one.what = true;
   }
-  if (button) words.hole = false;
+  if (button || strip) words.hole = false;
+  words.sheet |= test && square;
   // In German lists the back ("Rückenteil"), in those of CAD systems the right hand of something.
   if (rt) {
     const bool of_something = words.front || words.back || words.sleeve || words.leg ||
@@ -196,6 +203,13 @@ PieceWords words_of(const std::string& name) {
   if (words.front && words.back) words.front = words.back = false;
   return words;
 }
+
+bool names_a_piece(const PieceWords& w) {
+  return w.front || w.back || w.sleeve || w.leg || w.skirt || w.yoke || w.pocket || w.hood ||
+         w.neck || w.cuff || w.waist || w.hem;
+}
+
+bool names_cloth(const PieceWords& words) { return names_a_piece(words) || words.top; }
 
 PieceWords words_of(const Panel& panel) {
   return words_of((panel.part.empty() ? panel.name : panel.part) + " " + panel.label);

@@ -29,4 +29,9 @@ PieceWords words_of(const std::string& name);
 /// (Panel::part), else by its name; and by its label.
 PieceWords words_of(const Panel& panel);
 
+/// Whether a piece of a garment is named, not only a hand or a line.
+bool names_a_piece(const PieceWords& words);
+/// The same, or a whole garment: a tunic, a poncho.
+bool names_cloth(const PieceWords& words);
+
 }  // namespace loosefit::pattern

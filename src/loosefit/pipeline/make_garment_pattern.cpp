@@ -1,13 +1,18 @@
 #include "loosefit/pipeline/make_garment_pattern.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/body/plausible_measures.h"
+#include "loosefit/io/config_reader.h"
 #include "loosefit/io/measures_file.h"
 #include "loosefit/io/read_pattern.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/io/scenario_body.h"
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/kinds/body_measures.h"
 #include "loosefit/kinds/find_size.h"
@@ -70,6 +75,27 @@ scenario::GarmentSpec garment_of(const GarmentPatternWish& wish, const kinds::Ga
   return garment;
 }
 
+/// A measure of the body that was given, by the range that bodies have everywhere, else by that of
+/// the kind of garment.
+void check_given(const GivenValue& given, const kinds::GarmentKind& kind) {
+  const auto& people = body::plausible_measures();
+  const auto known = std::find_if(people.begin(), people.end(),
+                                  [&](const auto& m) { return m.name == given.key; });
+  const auto own = std::find_if(kind.measures.begin(), kind.measures.end(),
+                                [&](const auto& m) { return m.name == given.key; });
+  io::NumberRange range{0, 0, "metres"};
+  if (known != people.end())
+    range = io::measure_range(given.key);
+  else if (own != kind.measures.end() && own->unit == "m")
+    range.low = own->low, range.high = own->high;
+  else
+    return;
+  if (given.value >= range.low && given.value <= range.high) return;
+  throw InvalidInput({{}, 0, given.place}, fmt::format("{:g}", given.value),
+                     fmt::format("{} from {:g} to {:g}", range.what, range.low, range.high),
+                     io::unit_hint(given.value, range));
+}
+
 }  // namespace
 
 GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
@@ -105,6 +131,7 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
     measures = kinds::draft_measures(kind, make_body(io::default_scenario().body).body->measured);
   std::set<std::string> asked;
   for (const GivenValue& given : wish.measures) {
+    check_given(given, kind);
     measures[given.key] = given.value;
     asked.insert("measures." + given.key);
   }

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "loosefit/base/text.h"
@@ -128,16 +129,17 @@ class Reader {
         records_.fail(records_.line(), "section " + printable(name), "the end of the file",
                       "ENDSEC", "the file is cut off");
       if (record_.kind == "ENDSEC") break;
+      if (name == "TABLES" && record_.kind == "LAYER") layer();
       if (name != "BLOCKS" && name != "ENTITIES") continue;
       if (record_.kind == "BLOCK" && name == "BLOCKS") {
         if (block_) fail("a block within a block", "ENDBLK");
-        block = {utf8(record_.text(2)), record_.line, {}};
+        block = {utf8(record_.text(2)), record_.line, {}, {}};
         block_ = &block;
       } else if (record_.kind == "ENDBLK" && block_) {
         document_.blocks.push_back(std::move(block));
         block_ = nullptr;
       } else if (block_ || name == "ENTITIES") {
-        entity(block_ ? block.entities : document_.entities);
+        entity(block_ ? block.entities : document_.entities, block_ ? &block.hidden : nullptr);
       } else {
         fail(quoted(record_.kind), "BLOCK or ENDSEC");
       }
@@ -155,11 +157,31 @@ class Reader {
     }
   }
 
-  void entity(std::vector<DxfEntity>& into) {
+  /// Layers that are off have a negative colour, frozen ones the first bit of their flags.
+  void layer() {
+    const std::string name = utf8(record_.text(2));
+    if (integer(70, 0) & 1) hidden_layers_[name] = "its layer is frozen";
+    if (integer(62, 7) < 0) hidden_layers_[name] = "its layer is off";
+  }
+
+  std::string hidden_by() const {
+    if (integer(60, 0) == 1) return "it is invisible, code 60";
+    const auto layer = hidden_layers_.find(utf8(record_.text(8)));
+    return layer == hidden_layers_.end() ? std::string() : layer->second;
+  }
+
+  static bool is_mark(const DxfEntity& e) {
+    return e.kind == "TEXT" || e.kind == "MTEXT" || e.kind == "POINT" ||
+           (e.layer >= 2 && e.layer <= 7) || (e.layer >= 80 && e.layer <= 83);
+  }
+
+  /// \param unseen  takes what is hidden and may be cloth; null: that is kept as well
+  void entity(std::vector<DxfEntity>& into, std::vector<DxfEntity>* unseen) {
     DxfEntity e;
     e.kind = std::string(record_.kind.substr(0, 40));
     e.line = record_.line;
     e.layer = layer_number(record_.text(8));
+    e.hidden = hidden_by();
     const int flags = integer(70, 0);
     if (e.kind == "LINE") {
       e.points = {point(10), point(11)};
@@ -176,6 +198,8 @@ class Reader {
       e.points = with_bulges(light_vertices(), e.closed);
     } else if (e.kind == "ARC" || e.kind == "CIRCLE") {
       arc(e);
+    } else if (e.kind == "ELLIPSE") {
+      ellipse(e);
     } else if (e.kind == "SPLINE") {
       spline(e);
     } else if (e.kind == "INSERT") {
@@ -185,7 +209,8 @@ class Reader {
     if (points_ > kMostPoints || ++entities_ > kMostEntities)
       records_.fail(e.line, e.kind, "more points or entities",
                     fmt::format("at most {} points and {} entities", kMostPoints, kMostEntities));
-    into.push_back(std::move(e));
+    const bool leave = unseen && !e.hidden.empty() && !is_mark(e);
+    (leave ? *unseen : into).push_back(std::move(e));
   }
 
   /// Programs that mirror a drawing may turn it over in space instead: x would be negated.
@@ -248,6 +273,25 @@ class Reader {
     e.points = arc_points(point(10), radius, radians(from), radians(sweep));
   }
 
+  /// From parameter to parameter, counted from the long half axis.
+  void ellipse(DxfEntity& e) {
+    from_below();
+    const Vec2 middle = point(10), axis = point(11);
+    const double ratio = needed(40), from = number(41, 0);
+    double sweep = number(42, 2 * std::numbers::pi) - from;
+    if (!(axis.norm() > 0) || !(ratio > 0 && ratio <= 1 + 1e-9))
+      fail(fmt::format("an ellipse of half axis {:g} and ratio {:g}", axis.norm(), ratio),
+           "a half axis that is longer than 0 and a ratio up to 1");
+    if (!(sweep > 0)) sweep += 2 * std::numbers::pi;
+    if (!(sweep > 0 && sweep < 7)) fail("parameters further apart than once round", "0 to 2 pi");
+    for (const Vec2& p : arc_points(Vec2::Zero(), 1, from, sweep))
+      e.points.push_back(middle + p.x() * axis + ratio * p.y() * Vec2(-axis.y(), axis.x()));
+    if (sweep > 2 * std::numbers::pi - 1e-6) {
+      e.points.pop_back();
+      e.closed = true;
+    }
+  }
+
   void spline(DxfEntity& e) {
     DxfSpline s;
     s.degree = integer(71, 3);
@@ -280,7 +324,8 @@ class Reader {
   DxfRecords records_;
   DxfRecord record_;
   DxfDocument document_;
-  const DxfBlock* block_ = nullptr;  ///< that is being read
+  std::map<std::string, std::string> hidden_layers_;  ///< name and why
+  const DxfBlock* block_ = nullptr;                   ///< that is being read
   std::size_t points_ = 0, entities_ = 0;
 };
 

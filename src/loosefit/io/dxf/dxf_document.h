@@ -15,6 +15,7 @@ struct DxfEntity {
   std::vector<Vec2> points;  ///< of lines and curves; the place of points and texts
   bool closed = false;       ///< the last point joins the first, which is not repeated
   std::string text;          ///< of texts; name of the block of an INSERT
+  std::string hidden;        ///< why nobody sees it: "its layer is frozen"; empty: one does
 };
 
 /// A block: a piece of a pattern in one size.
@@ -22,6 +23,8 @@ struct DxfBlock {
   std::string name;
   int line = 0;
   std::vector<DxfEntity> entities;
+  std::vector<DxfEntity> hidden;  ///< lines that may be cloth and that nobody sees; texts, corners,
+                                  ///< notches, grain and mirror lines are entities all the same
 };
 
 /// What a DXF file draws. Blocks are kept by their place in the file, since names repeat.
@@ -32,11 +35,12 @@ struct DxfDocument {
   std::optional<bool> metric;       ///< $MEASUREMENT of the header: 0 English, 1 metric
 };
 
-/// Reads sections HEADER, BLOCKS and ENTITIES of a DXF text file; all others are passed over.
-/// Points are taken from LINE, POLYLINE, LWPOLYLINE (with bulges), ARC, CIRCLE and SPLINE (sampled
-/// every 2 degrees or 1/64 of a knot span), POINT and TEXT; other kinds have none. Texts that are
-/// not UTF-8 are taken as Latin 1. `file` only appears in messages. \throws InvalidInput naming
-/// line and entity: text that is no DXF, numbers that are none, a
+/// Reads sections HEADER, TABLES (layers that are off or frozen), BLOCKS and ENTITIES of a DXF text
+/// file; all others are passed over. Points are taken from LINE, POLYLINE, LWPOLYLINE (with
+/// bulges), ARC, CIRCLE, ELLIPSE and SPLINE (sampled every 2 degrees or 1/64 of a knot span), POINT
+/// and TEXT; other kinds have none. Texts that are not UTF-8 are taken as Latin 1. `file` only
+/// appears in messages. \throws InvalidInput naming line and entity: text that is no DXF, numbers
+/// that are none, a
 ///         section, block or polyline without an end, a drawing that is scaled or seen from below.
 /// Source: Autodesk, DXF Reference (group codes of the entities).
 DxfDocument parse_dxf(const std::string& text, const std::string& file);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/pieces/fold_words.h"
 #include "loosefit/io/pieces/piece_outline.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
@@ -18,6 +19,7 @@ constexpr std::size_t kMostLines = 2000;              // of one outline
 constexpr double kSameCurve = 0.001;                  // between two samplings of one curve [m]
 constexpr double kNarrowest = 0.002, kWidest = 0.06;  // seam allowance [m]
 constexpr double kMm = 1000;
+constexpr std::size_t kMostOfArrow = 20;  // corners of an arrow that is drawn as a closed line
 
 std::vector<Vec2> scaled(const DxfEntity& e, double metre) {
   std::vector<Vec2> points = e.points;
@@ -214,11 +216,34 @@ Found sewn_or_cut(Outline cut, std::vector<Outline> inside, std::vector<Outline>
   return found;
 }
 
+/// No part of it in the outline of the layer or in another closed line there.
+bool lies_beside(const Outline& loop, const Layered& cut) {
+  const auto apart = [&](const Outline& other) {
+    const std::vector<Vec2> around = polygon(other);
+    return std::none_of(loop.begin(), loop.end(), [&](const OutlinePoint& p) {
+      return pattern::inside_polygon(around, p.at) || distance_to(around, p.at) < kSameCurve;
+    });
+  };
+  return apart(cut.outline) && std::all_of(cut.beside.begin(), cut.beside.end(), apart);
+}
+
+double farthest_inside(const Outline& inner, const std::vector<Vec2>& boundary) {
+  double far = 0;
+  for (const OutlinePoint& p : inner) far = std::max(far, distance_to(boundary, p.at));
+  return far;
+}
+
 /// The largest outline first; without any, `fault` says why.
 std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string& fault,
                                std::vector<std::string>& notes) {
   Layered cut = outline_on(block, 1, metre);
   Layered fine = outline_on(block, 84, metre);
+  if (!cut.outline.empty())
+    for (const std::vector<Outline>& loops : {std::vector<Outline>{fine.outline}, fine.beside})
+      for (const Outline& loop : loops)
+        if (!loop.empty() && outline_area(loop) >= kSmallestPiece && lies_beside(loop, cut))
+          notes.push_back("a closed line of " + square_centimetres(loop) +
+                          " on layer 84 beside its outline is not used");
   if (!fine.outline.empty() && (cut.outline.empty() || finer_copy(fine.outline, cut.outline)))
     cut.outline = std::move(fine.outline), cut.fault.clear();
   if (cut.outline.empty()) {
@@ -238,11 +263,21 @@ std::vector<Found> outlines_of(const DxfBlock& block, double metre, std::string&
       notes.push_back(
           fmt::format("{} open lines on layer 14 beside its sew line are not used", sewn.open));
   }
+  const std::vector<Vec2> boundary = polygon(cut.outline);
   std::vector<Found> found{sewn_or_cut(std::move(cut.outline), std::move(cut.inside), seams)};
   if (!found[0].on_sew_line && !lines_on(block, 14, metre).empty())
-    notes.push_back(
-        "its sew line (layer 14) is not taken, " +
-        (seams.empty() ? sewn.fault : std::string("it does not lie within the boundary")));
+    notes.push_back("its sew line (layer 14) is not taken, " +
+                    (seams.empty() ? sewn.fault
+                     : lies_within(seams[0], found[0].outline)
+                         ? "the closed line of " + square_centimetres(seams[0]) +
+                               " there is less than half of the boundary: a mark?"
+                         : std::string("it does not lie within the boundary")));
+  if (found[0].on_sew_line)
+    if (const double far = farthest_inside(found[0].outline, boundary); far > kWidest)
+      notes.push_back(fmt::format(
+          "its sew line (layer 14) lies up to {:.0f} mm within its boundary, more than an "
+          "allowance: taken all the same",
+          kMm * far));
   if (!found[0].on_sew_line) {
     Layered inner = outline_on(block, 8, metre);
     if (!inner.outline.empty() &&
@@ -343,10 +378,30 @@ std::vector<Vec2> notch_points(const DxfBlock& block, double metre) {
   return points;
 }
 
-std::vector<std::vector<Vec2>> marks_on(const DxfBlock& block, int layer, double metre) {
+/// Lines of a layer that have a direction. Of arrows that are drawn as closed lines it is that of
+/// their longest side; circles and other closed curves have none.
+std::vector<std::vector<Vec2>> marks_on(const DxfBlock& block, int layer, double metre,
+                                        int* without = nullptr) {
   std::vector<std::vector<Vec2>> marks;
-  for (const DxfEntity& e : block.entities)
-    if (e.layer == layer && e.points.size() > 1) marks.push_back(scaled(e, metre));
+  for (const DxfEntity& e : block.entities) {
+    if (e.layer != layer || e.points.size() < 2) continue;
+    std::vector<Vec2> points = scaled(e, metre);
+    const bool curve = e.kind == "CIRCLE" || e.kind == "ELLIPSE" || e.kind == "ARC" ||
+                       (e.closed && points.size() > kMostOfArrow);
+    if (curve) {
+      if (without) ++*without;
+    } else if (e.closed && points.size() > 2) {
+      std::size_t longest = 0;
+      const auto side = [&](std::size_t k) -> Vec2 {
+        return points[(k + 1) % points.size()] - points[k];
+      };
+      for (std::size_t k = 1; k < points.size(); ++k)
+        if (side(k).norm() > side(longest).norm()) longest = k;
+      marks.push_back({points[longest], points[(longest + 1) % points.size()]});
+    } else {
+      marks.push_back(std::move(points));
+    }
+  }
   return marks;
 }
 
@@ -391,27 +446,34 @@ std::vector<DrawnPiece> pieces_of_block(const DxfPiece& piece, double metre) {
     if (!none) find_holes(block, found[k], metre, one, taken);
     for (const Vec2& p : notch_points(block, metre))
       if (belongs(k, p)) one.notches.push_back(p);
-    for (std::vector<Vec2>& mark : marks_on(block, 6, metre))
+    int round = 0;
+    for (std::vector<Vec2>& mark : marks_on(block, 6, metre, &round))
       if (belongs(k, (mark.front() + mark.back()) / 2)) one.folds.push_back(std::move(mark));
     // The longest line: others may be the heads of its arrow.
     double longest = kSamePoint;
-    for (const std::vector<Vec2>& mark : marks_on(block, 7, metre))
+    for (const std::vector<Vec2>& mark : marks_on(block, 7, metre, &round))
       if (const double length = (mark.back() - mark.front()).norm();
           length > longest && belongs(k, (mark.front() + mark.back()) / 2))
         longest = length, one.grain = Axis(mark.front(), mark.back());
+    if (round > 0 && k == 0)
+      one.notes.push_back(fmt::format(
+          "{} circles or closed curves on layers 6 and 7 are no mirror line and no grain line: not "
+          "used",
+          round));
     if (!one.grain)
       one.notes.push_back("it has no grain line (layer 7): the warp is taken along the file's y");
     std::vector<std::string> texts = piece.texts;
     texts.insert(texts.end(), {piece.annotation, piece.quantity});
     if (one.folds.empty())
       for (const std::string& text : texts)
-        if (pattern::words_of(text).fold)
-          one.notes.push_back("its text \"" + printable(text) +
-                              "\" speaks of a fold, but no mirror line (layer 6) says where: not "
-                              "unfolded");
+        note_missing_fold(one, "its text", text, "no mirror line (layer 6)");
     one.outline = std::move(found[k].outline);
     pieces.push_back(std::move(one));
   }
+  const auto lost = std::count(taken.begin(), taken.end(), false);
+  if (lost > 0 && !none)
+    pieces[0].notes.push_back(
+        fmt::format("{} closed lines on layer 11 (cutouts) lie in no outline: not cut", lost));
   return pieces;
 }
 

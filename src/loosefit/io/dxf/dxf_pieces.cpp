@@ -138,6 +138,7 @@ DxfStyle find_pieces(const DxfDocument& document) {
         if (text->key == "category") set_once(piece.category, text->value);
         if (text->key == "fabric" || text->key == "material") set_once(piece.fabric, text->value);
         if (text->key == "annotation") set_once(piece.annotation, text->value);
+        if (!is_known_text(e.text) && find_quantity(e.text)) piece.texts.push_back(e.text);
       }
     if (piece.name.empty()) {
       piece.name = shortened(block.name);

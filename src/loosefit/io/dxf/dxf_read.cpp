@@ -15,12 +15,14 @@
 #include "loosefit/io/pieces/left_out.h"
 #include "loosefit/io/pieces/piece_collector.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/pattern/piece_names.h"
 
 namespace loosefit::io {
 namespace {
 
 constexpr std::size_t kLargestFile = 64u << 20;  // bytes
 constexpr std::size_t kMostPieces = 200;
+constexpr std::size_t kMostKinds = 12;  // of things that one line names
 
 std::string quoted(const std::string& s) { return '"' + printable(s) + '"'; }
 
@@ -148,6 +150,31 @@ std::vector<const DxfPiece*> of_own_cloth(const std::vector<const DxfPiece*>& pi
   return own;
 }
 
+/// Without blocks that are drawn by hidden inserts alone, and without test squares and frames.
+std::vector<const DxfPiece*> seen_pieces(const DxfDocument& document,
+                                         const std::vector<const DxfPiece*>& pieces,
+                                         std::vector<std::string>& warnings) {
+  std::map<std::string, std::string> hidden;
+  std::set<std::string> seen;
+  for (const DxfEntity& e : document.entities)
+    if (e.kind == "INSERT")
+      e.hidden.empty() ? (void)seen.insert(e.text) : (void)hidden.emplace(e.text, e.hidden);
+  std::vector<const DxfPiece*> kept;
+  for (const DxfPiece* piece : pieces) {
+    const auto why = hidden.find(piece->block->name);
+    if (const pattern::PieceWords words = pattern::words_of(piece->name);
+        words.sheet && !names_cloth(words))
+      warnings.push_back("piece " + printable(piece->name) +
+                         ": left out, it is called after a test square, a frame or a title");
+    else if (why == hidden.end() || seen.count(piece->block->name))
+      kept.push_back(piece);
+    else
+      warnings.push_back("piece " + printable(piece->name) +
+                         ": left out, its block is hidden: " + why->second);
+  }
+  return kept;
+}
+
 /// Counts what the blocks hold beyond what a panel is made of.
 void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::string>& unused) {
   std::map<int, std::map<std::string, int>> left;
@@ -162,37 +189,71 @@ void list_unused(const std::vector<const DxfPiece*>& pieces, std::vector<std::st
                      e.layer == 2 ||
                      ((e.layer == 4 || (e.layer >= 80 && e.layer <= 83)) && !e.points.empty());
       // A symbol is told by the name of its block.
-      if (!used) ++left[e.layer][e.kind == "INSERT" ? "INSERT " + quoted(e.text) : e.kind];
+      if (!used)
+        ++left[e.layer]
+              [e.kind == "INSERT" || text ? e.kind + " " + quoted(e.text.substr(0, 40)) : e.kind];
     }
   for (const auto& [layer, kinds] : left) {
     std::vector<std::string> counts;
-    for (const auto& [kind, count] : kinds)
+    for (const auto& [kind, count] : kinds) {
+      if (counts.size() == kMostKinds) {
+        counts.push_back(fmt::format("and {} more kinds", kinds.size() - kMostKinds));
+        break;
+      }
       counts.push_back(fmt::format("{} {}", count, printable(kind, 60)));
+    }
     unused.push_back((layer < 0 ? std::string("layers whose name is no number")
                                 : fmt::format("layer {} ({})", layer, layer_meaning(layer))) +
                      ": " + join(counts));
   }
 }
 
+/// Kinds of things that enclose something and that are not read.
+std::string unread_kinds(const DxfBlock& block) {
+  std::map<std::string, int> kinds;
+  for (const DxfEntity& e : block.entities)
+    for (const char* kind :
+         {"HATCH", "REGION", "SOLID", "TRACE", "3DFACE", "3DSOLID", "BODY", "MLINE", "WIPEOUT",
+          "POLYLINE (mesh)", "PROXY", "IMAGE", "ACAD_PROXY_ENTITY"})
+      if (e.kind == kind) ++kinds[e.kind];
+  std::vector<std::string> list;
+  for (const auto& [kind, count] : kinds) list.push_back(fmt::format("{} {}", count, kind));
+  return join(list);
+}
+
+bool is_closed(const DxfEntity& e) { return e.closed && e.points.size() > 2; }
+
 /// Blocks and lines that are no pieces.
 void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, LeftOut& left) {
   for (const DxfBlock& block : document.blocks) {
     const bool taken = std::any_of(style.pieces.begin(), style.pieces.end(),
                                    [&](const DxfPiece& piece) { return piece.block == &block; });
-    const bool closed =
-        std::any_of(block.entities.begin(), block.entities.end(),
-                    [](const DxfEntity& e) { return e.closed && e.points.size() > 2; });
+    const bool closed = std::any_of(block.entities.begin(), block.entities.end(), is_closed);
     if (taken || block.name.starts_with("*")) continue;
-    if (!closed)
-      left.count("blocks without an outline", block.name);
+    const std::string called =
+        fmt::format("block {} at line {}: left out, ", quoted(block.name), block.line);
+    const auto unseen =
+        std::find_if(block.hidden.begin(), block.hidden.end(),
+                     [](const DxfEntity& e) { return e.layer == 1 || e.layer == 84; });
+    if (unseen != block.hidden.end())
+      left.tell(called +
+                fmt::format("its line on layer {} is hidden, {}", unseen->layer, unseen->hidden));
+    else if (closed)
+      left.tell(called + "nothing is drawn on layer 1 or 84");
+    else if (const std::string kinds = unread_kinds(block); !kinds.empty())
+      left.tell(called + "it has no lines but what is not read: " + kinds);
     else
-      left.tell(fmt::format("block {} at line {}: left out, nothing is drawn on layer 1 or 84",
-                            quoted(block.name), block.line));
+      left.count("blocks without an outline", block.name);
   }
   int loose = 0, closed = 0, first = 0;
   for (const DxfEntity& e : document.entities) {
+    if ((e.kind == "TEXT" || e.kind == "MTEXT") && find_quantity(e.text))
+      left.tell(
+          fmt::format("text {} at line {} outside of blocks: it belongs to no piece and counts "
+                      "nothing",
+                      quoted(e.text), e.line));
     loose += e.points.size() > 1;
-    if (!e.closed || e.points.size() < 3) continue;
+    if (!is_closed(e)) continue;
     if (closed++ == 0) first = e.line;
   }
   if (closed > 0)
@@ -202,6 +263,48 @@ void list_what_is_no_piece(const DxfDocument& document, const DxfStyle& style, L
                     closed, first));
   if (loose > closed)
     left.unused.push_back(fmt::format("lines outside of blocks: {}", loose - closed));
+}
+
+/// What is hidden in blocks that are pieces.
+void list_hidden(const std::vector<const DxfPiece*>& pieces, LeftOut& left) {
+  std::map<std::pair<int, std::string>, std::vector<std::string>> names;
+  for (const DxfPiece* piece : pieces)
+    for (const DxfEntity& e : piece->block->hidden) {
+      std::vector<std::string>& of = names[{e.layer, e.hidden}];
+      if (of.empty() || of.back() != printable(piece->name)) of.push_back(printable(piece->name));
+    }
+  for (const auto& [what, of] : names) {
+    const std::vector<std::string> some(of.begin(),
+                                        of.begin() + std::min<std::size_t>(of.size(), 6));
+    left.tell(fmt::format("lines on layer {} ({}) of {}{} are hidden and not used: {}", what.first,
+                          layer_meaning(what.first), join(some),
+                          of.size() > some.size() ? ", ..." : "", what.second));
+  }
+}
+
+/// A block that is drawn several times, or in another one, or not at all, is one piece all the
+/// same.
+void tell_inserts(const DxfDocument& document, const std::vector<const DxfPiece*>& pieces,
+                  LeftOut& left) {
+  const auto of = [](const std::vector<DxfEntity>& entities, const std::string& name) {
+    return std::count_if(entities.begin(), entities.end(), [&](const DxfEntity& e) {
+      return e.kind == "INSERT" && e.text == name && e.hidden.empty();
+    });
+  };
+  for (const DxfPiece* piece : pieces) {
+    const std::string& name = piece->block->name;
+    const auto same = std::count_if(document.blocks.begin(), document.blocks.end(),
+                                    [&](const DxfBlock& block) { return block.name == name; });
+    if (const auto times = of(document.entities, name); times > 1 && same == 1)
+      left.tell(
+          fmt::format("block {}: it is drawn {} times (INSERT) and taken as one piece; its "
+                      "quantity says how often it is cut",
+                      quoted(name), times));
+    for (const DxfBlock& other : document.blocks)
+      if (&other != piece->block && of(other.entities, name) > 0)
+        left.tell(fmt::format("block {}: it is drawn in block {} and taken as a piece of its own",
+                              quoted(name), quoted(other.name)));
+  }
 }
 
 /// How often a piece is cut, by its quantity, else by an annotation or another text.
@@ -220,6 +323,9 @@ PieceCount count_of(const DxfPiece& piece, std::vector<std::string>& warnings) {
   texts.insert(texts.begin(), piece.annotation);
   for (const std::string& text : texts) {
     const std::optional<PieceCount> said = find_quantity(text);
+    if (!said && speaks_of_count(text))
+      warnings.push_back(called + "its text " + quoted(text) +
+                         " may say how often it is cut and is not understood: it counts nothing");
     if (!said) continue;
     if (!count)
       count = said;
@@ -229,6 +335,17 @@ PieceCount count_of(const DxfPiece& piece, std::vector<std::string>& warnings) {
                          quoted(said->said) + ": the first is taken");
   }
   return count.value_or(PieceCount{});
+}
+
+/// Why a file has no pieces.
+std::string without_pieces(const DxfDocument& document) {
+  std::string found = fmt::format("{} blocks, none with lines on layer 1", document.blocks.size());
+  for (const DxfBlock& block : document.blocks)
+    for (const DxfEntity& e : block.hidden)
+      if (e.layer == 1 || e.layer == 84) return found + " that can be seen: " + e.hidden;
+  const auto closed = std::count_if(document.entities.begin(), document.entities.end(), is_closed);
+  if (closed > 0) found += fmt::format(", and {} closed lines outside of blocks", closed);
+  return found;
 }
 
 }  // namespace
@@ -241,8 +358,7 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   const DxfDocument document = parse_dxf(text, file);
   const DxfStyle style = find_pieces(document);
   if (style.pieces.empty())
-    throw InvalidInput({file, 0, "BLOCKS"},
-                       fmt::format("{} blocks, none with lines on layer 1", document.blocks.size()),
+    throw InvalidInput({file, 0, "BLOCKS"}, without_pieces(document),
                        "pieces as blocks, their boundary on layer 1 (DXF-AAMA, ASTM D6673)",
                        "export it as AAMA or ASTM DXF, not as a drawing");
   PatternFile result;
@@ -250,7 +366,15 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   result.pattern.name = style.name;
   const std::string size = chosen_size(style, wish.size, file);
   const std::vector<const DxfPiece*> all = pieces_of(style, size, result.warnings);
-  const std::vector<const DxfPiece*> pieces = of_own_cloth(all, result.warnings);
+  const std::size_t before = result.warnings.size();
+  const std::vector<const DxfPiece*> pieces =
+      of_own_cloth(seen_pieces(document, all, result.warnings), result.warnings);
+  // What is left out by its cloth or because nobody sees it belongs to the account as well.
+  result.unused.assign(result.warnings.begin() + static_cast<std::ptrdiff_t>(before),
+                       result.warnings.end());
+  if (pieces.empty())
+    throw InvalidInput({file, 0, "BLOCKS"}, result.warnings.back(), "a piece that can be seen",
+                       "show its layer, and export the file again");
   if (pieces.size() > kMostPieces)
     throw InvalidInput({file, 0, "BLOCKS"}, fmt::format("{} pieces of one size", pieces.size()),
                        fmt::format("at most {}", kMostPieces));
@@ -277,6 +401,8 @@ PatternFile parse_dxf_pattern(const std::string& text, const std::string& file,
   collector.finish(file, "sew line (layer 14)");
   LeftOut left;
   list_what_is_no_piece(document, style, left);
+  list_hidden(pieces, left);
+  tell_inserts(document, pieces, left);
   left.sum_up();
   list_unused(pieces, left.unused);
   result.unused.insert(result.unused.end(), left.unused.begin(), left.unused.end());

@@ -24,6 +24,7 @@ struct DrawnPiece {
   std::vector<std::string> notes;  ///< what had to be assumed for it
   std::string fault;               ///< why it has no outline
   bool on_sew_line = false;        ///< the outline is where it is sewn, not where it is cut
+  bool half_without_fold = false;  ///< cut on a fold by its texts, and no line marks that
 };
 
 /// A piece, how often it is cut, and where it stands.

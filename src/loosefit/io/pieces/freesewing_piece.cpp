@@ -10,6 +10,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/geometry/flat_triangle.h"
+#include "loosefit/io/pieces/fold_words.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/piece_names.h"
 
@@ -102,6 +103,9 @@ std::optional<PieceCount> count_in(const std::vector<std::string>& texts,
   std::optional<PieceCount> count;
   for (const std::string& text : texts) {
     const std::optional<PieceCount> one = find_quantity(text);
+    if (!one && speaks_of_count(text))
+      notes.push_back("its text \"" + printable(text, 60) +
+                      "\" may say how often it is cut and is not understood: it counts nothing");
     if (!one) continue;
     if (!count)
       count = one;
@@ -110,6 +114,26 @@ std::optional<PieceCount> count_in(const std::vector<std::string>& texts,
                       printable(one->said, 60) + "\": the first is taken");
   }
   return count;
+}
+
+/// Closed lines of linings, canvas and other cloths, which stand for pieces where they lie on none.
+bool tell_others(const FreesewingPart& part, const std::vector<std::vector<Vec2>>& outer,
+                 LeftOut& left) {
+  bool told = false;
+  for (const FreesewingOther& other : part.others) {
+    if (std::abs(pattern::signed_area(other.points)) < kSmallestPiece) continue;
+    const bool on_a_piece = std::any_of(outer.begin(), outer.end(), [&](const auto& outline) {
+      return std::all_of(other.points.begin(), other.points.end(), [&](const Vec2& p) {
+        return pattern::inside_polygon(outline, p) || distance(outline, p) < kChainGap;
+      });
+    });
+    if (on_a_piece) continue;
+    left.tell("part " + printable(part.name) + ": its closed line " + other.place +
+              " is left out, it is of class \"" + printable(other.classes, 60) +
+              "\" and not of \"fabric\"");
+    told = true;
+  }
+  return told;
 }
 
 }  // namespace
@@ -128,7 +152,12 @@ std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool mark
   std::stable_sort(lines.begin(), lines.end(), [](const auto* a, const auto* b) {
     return std::pair(!a->fabric, -area_of(*a)) < std::pair(!b->fabric, -area_of(*b));
   });
-  if (lines.empty()) return {};
+  if (lines.empty()) {
+    if (!tell_others(part, {}, left))
+      left.unused.push_back("part " + printable(part.name) +
+                            ": it has no closed path of class \"fabric\"");
+    return {};
+  }
 
   std::vector<const FreesewingLine*> outlines;  // of its pieces
   std::vector<std::vector<Vec2>> outer;
@@ -165,7 +194,10 @@ std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool mark
           return pattern::inside_polygon(outer[k], p) && distance(outer[k], p) > kChainGap;
         });
     }
-    if (within < outer.size())
+    if (within < outer.size() && pattern::words_of(line->name).pocket)
+      left.tell(in_part + "closed " + called(*line) +
+                " is drawn on it and not cut, it is called after a facing, a lining or a pocket");
+    else if (within < outer.size())
       holes[within].push_back({line->name.empty() ? "hole" : line->name, points});
     else if (crosses)
       left.tell(in_part + "closed " + called(*line) + " is not used, it crosses the outline");
@@ -175,6 +207,7 @@ std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool mark
 
   const bool one_hand = other_hand_stands_in(parts, part.name);
   const std::size_t dot = part.name.rfind('.');
+  tell_others(part, outer, left);
   std::vector<CountedPiece> pieces;
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     CountedPiece one;
@@ -214,9 +247,7 @@ std::vector<CountedPiece> drawn_freesewing(const FreesewingPart& part, bool mark
                             ", is taken as a piece of its own");
     if (piece.folds.empty())
       for (const std::string& text : part.texts)
-        if (pattern::words_of(text).fold)
-          piece.notes.push_back("its text \"" + printable(text, 60) +
-                                "\" speaks of a fold, but no mark says where: not unfolded");
+        note_missing_fold(piece, "its text", text, "no mark");
     set_outline(piece, outer[k], outlines[k]->nodes);
     pieces.push_back(std::move(one));
   }

@@ -18,11 +18,18 @@ struct FreesewingLine {
   std::string place;        ///< where it stands, for messages: "at line 7"
 };
 
+/// A closed line of a part that is of another class: "lining", "canvas", "various help".
+struct FreesewingOther {
+  std::vector<Vec2> points;  ///< [m], y up
+  std::string classes, place;
+};
+
 /// A part of a FreeSewing design as SVG or JSON has it [m], y up.
 struct FreesewingPart {
   std::string name;                   ///< "teagan.front"
   std::string place;                  ///< where it stands, for messages: "at line 7"
   std::vector<FreesewingLine> lines;  ///< in the order of the file
+  std::vector<FreesewingOther> others;
   std::vector<std::vector<Vec2>> folds;
   std::optional<Axis> grain;
   std::vector<Vec2> notches;
@@ -34,7 +41,8 @@ struct FreesewingPart {
 
 /// The pieces of a part. Its largest line of class "fabric" is the outline, open or closed; in
 /// parts without one the largest of no class. Further closed ones of class "fabric" are holes where
-/// they lie in an outline, and pieces of their own beside it; what else there is is told.
+/// they lie in an outline, and pieces of their own beside it; what else there is is told, closed
+/// lines of other classes that are no line on a piece by their class.
 /// FreeSewing draws front and back as halves from the line x = 0 of the part on, as "cut on fold"
 /// says where all marks are drawn. Without these, a part called front or back whose outline begins
 /// with a straight line there is one too. How often it is cut, its texts say (quantity.h); without

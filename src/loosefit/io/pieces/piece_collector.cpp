@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "loosefit/base/error.h"
@@ -50,36 +51,48 @@ void PieceCollector::add(DrawnPiece drawn, const PieceCount& count, const std::s
   if (!count.doubt.empty())
     warn(fmt::format("{}: its count \"{}\" is read as {}", called, printable(count.said, 100),
                      count.doubt));
-  if (count.as_drawn > 1 || count.mirrored > 1)
-    warn(fmt::format("{}: it is cut {} times{}; one {}is taken, further ones are not", called,
-                     count.as_drawn + count.mirrored, said,
-                     count.as_drawn > 0 && count.mirrored > 0 ? "of each hand " : ""));
-  tell(called, place, made, count);
   for (const pattern::PanelEdge& edge : made.panel.edges) points_ += edge.curves.size();
   if (points_ > kMostPoints)
     throw InvalidInput(called, fmt::format("at most {} points in all pieces", kMostPoints));
-  if (count.as_drawn > 0) lay_beside(made);
+  std::vector<std::string> names;
+  if (count.as_drawn > 0) names.push_back(lay_beside(made));
   if (count.mirrored > 0) {
     PiecePanel twin = mirrored_piece(made);
     if (count.as_drawn > 0) twin.panel.name += "_mirrored", ++twins_;
-    lay_beside(std::move(twin));
+    names.push_back(lay_beside(std::move(twin)));
   }
+  tell(place, made, count, names);
+  const int more = count.as_drawn + count.mirrored - static_cast<int>(names.size());
+  if (more > 0) {
+    const std::string line = fmt::format(
+        "{}: it is cut {} times{}; {} taken, {} more ({} as drawn, {} mirrored) {} left out: draw "
+        "them as pieces of their own if they are sewn to others",
+        called, count.as_drawn + count.mirrored, said,
+        printable(join(names, " and "), 200) + (names.size() == 1 ? " is" : " are"), more,
+        std::max(count.as_drawn - 1, 0), std::max(count.mirrored - 1, 0), more == 1 ? "is" : "are");
+    warn(line);
+    result_.unused.push_back(line);
+  }
+  if (made.half_without_fold)
+    result_.doubts.push_back(printable(names[0]) +
+                             " may be half a piece, no line on its outline marks its fold");
 }
 
-void PieceCollector::tell(const std::string& called, const std::string& place,
-                          const PiecePanel& made, const PieceCount& count) {
+void PieceCollector::tell(const std::string& place, const PiecePanel& made, const PieceCount& count,
+                          const std::vector<std::string>& names) {
   std::vector<std::string> how{made.on_sew_line ? "its sew line" : "its outline"};
   if (made.unfolded > 0)
     how.push_back(made.unfolded == 1 ? "unfolded at its fold line"
                                      : fmt::format("unfolded at {} fold lines", made.unfolded));
+  if (made.half_without_fold) how.push_back("not unfolded, no line on it marks its fold");
   for (const pattern::PanelHole& hole : made.panel.holes)
     how.push_back("hole \"" + printable(hole.name) + "\" cut");
   if (!made.notches.empty()) how.push_back(fmt::format("{} notches", made.notches.size()));
-  how.push_back(count.as_drawn > 0 && count.mirrored > 0 ? "once as drawn, once mirrored"
-                : count.mirrored > 0                     ? "once mirrored"
-                                                         : "once");
+  how.push_back(names.size() > 1     ? "once as drawn, once mirrored"
+                : count.mirrored > 0 ? "once mirrored"
+                                     : "once");
   if (!count.said.empty()) how.back() += " (\"" + printable(count.said, 100) + "\")";
-  result_.used.push_back(fmt::format("{} ({}): {}", called, place, join(how)));
+  result_.used.push_back(fmt::format("piece {} ({}): {}", printable(names[0]), place, join(how)));
 }
 
 void PieceCollector::finish(const std::string& file, const std::string& sew_line) {
@@ -102,7 +115,7 @@ void PieceCollector::finish(const std::string& file, const std::string& sew_line
                     on_cut_line_, sew_line));
 }
 
-void PieceCollector::lay_beside(PiecePanel piece) {
+std::string PieceCollector::lay_beside(PiecePanel piece) {
   pattern::Panel& panel = piece.panel;
   const std::string name = panel.name;
   for (int k = 2; result_.pattern.find_panel(panel.name) >= 0; ++k)
@@ -120,6 +133,7 @@ void PieceCollector::lay_beside(PiecePanel piece) {
   }
   result_.pattern.panel_order.push_back(index);
   result_.pattern.panels.push_back(std::move(panel));
+  return result_.pattern.panels.back().name;
 }
 
 }  // namespace loosefit::io

@@ -21,9 +21,10 @@ class PieceCollector {
 
  private:
   void warn(const std::string& warning) { result_.warnings.push_back(warning); }
-  void tell(const std::string& called, const std::string& place, const PiecePanel& made,
-            const PieceCount& count);
-  void lay_beside(PiecePanel piece);
+  /// \param names of the panels that were made of it
+  void tell(const std::string& place, const PiecePanel& made, const PieceCount& count,
+            const std::vector<std::string>& names);
+  std::string lay_beside(PiecePanel piece);  ///< \return the name of the panel
 
   PatternFile& result_;
   double right_ = 0;

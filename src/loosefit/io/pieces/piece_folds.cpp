@@ -18,6 +18,7 @@ constexpr double kRightAngle = 0.02;     // cosine of what still is one
 constexpr double kArrowHead = 0.25;      // of the longest mark: shorter ones are heads of its arrow
 constexpr std::size_t kMostNodes = 100;  // of a mark whose sides are tried
 constexpr std::size_t kMostMarks = 100;  // of a piece
+constexpr double kDrawnByHand = 5e-3;    // between a whole piece and its image [m]
 constexpr double kSymmetric = 2e-3;      // between a hole and its image [m]
 
 Vec2 across_of(const Axis& axis) {
@@ -91,11 +92,11 @@ std::vector<Mark> fold_lines(const DrawnPiece& piece) {
   return lines;
 }
 
-bool is_symmetric(const std::vector<Vec2>& points, const Axis& axis) {
+bool is_symmetric(const std::vector<Vec2>& points, const Axis& axis, double within = kSymmetric) {
   const Vec2 across = across_of(axis);
   return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
     const Vec2 image = p - 2 * across.dot(p - axis.first) * across;
-    return (pattern::closest_on_polygon(points, image) - image).norm() < kSymmetric;
+    return (pattern::closest_on_polygon(points, image) - image).norm() < within;
   });
 }
 
@@ -171,9 +172,16 @@ Unfolded unfold_piece(DrawnPiece& piece) {
         break;
       }
       case Fold::whole:
-        result.notes.push_back("its mirror line runs through it: taken as a whole piece");
+        if (is_symmetric(points_of(piece.outline), line.axis, kDrawnByHand)) {
+          result.notes.push_back("its mirror line runs through it: taken as a whole piece");
+        } else {
+          result.beside = true;
+          result.notes.push_back(
+              "its mirror line runs through it, and it is not symmetric about that: not unfolded");
+        }
         break;
       case Fold::beside:
+        result.beside = true;
         result.notes.push_back("no part of its outline lies on its mirror line: not unfolded");
         break;
     }

@@ -9,6 +9,7 @@ namespace loosefit::io {
 /// What came of the fold marks of a piece.
 struct Unfolded {
   int times = 0;                   ///< the marks at which it was unfolded
+  bool beside = false;             ///< a mark lies on no part of the outline, nor in its middle
   std::vector<std::string> notes;  ///< marks that were not used, and holes that cannot be unfolded
 };
 

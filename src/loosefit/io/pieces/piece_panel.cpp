@@ -99,6 +99,7 @@ PiecePanel panel_of_piece(DrawnPiece piece) {
   }
   Unfolded folds = unfold_piece(piece);
   result.unfolded = folds.times;
+  result.half_without_fold = folds.times == 0 && (piece.half_without_fold || folds.beside);
   result.notes.insert(result.notes.end(), folds.notes.begin(), folds.notes.end());
   Outline& loop = piece.outline;
   if (loop.empty()) {

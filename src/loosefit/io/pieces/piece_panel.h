@@ -16,7 +16,8 @@ struct PiecePanel {
   std::string fault;                    ///< empty: the panel is sound
   std::vector<std::string> notes;       ///< what had to be assumed for it
   bool on_sew_line = false;
-  int unfolded = 0;  ///< at how many fold lines
+  bool half_without_fold = false;  ///< DrawnPiece::half_without_fold
+  int unfolded = 0;                ///< at how many fold lines
 };
 
 /// Unfolds a half piece at its folds, turns its grain to y, cuts its outline into edges at the

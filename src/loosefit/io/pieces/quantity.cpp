@@ -46,6 +46,14 @@ int number_of(const std::string& word) {
   return -1;
 }
 
+/// A small letter, of Latin 1 in UTF-8 too: U+00C0 to U+00DE stand 32 below theirs.
+char small(const std::string& before, char c) {
+  const auto u = static_cast<unsigned char>(c);
+  const bool accented = !before.empty() && static_cast<unsigned char>(before.back()) == 0xc3 &&
+                        u >= 0x80 && u <= 0x9e && u != 0x97;
+  return static_cast<char>(accented ? u + 0x20 : u < 0x80 ? std::tolower(u) : u);
+}
+
 std::vector<Token> tokens_of(const std::string& text) {
   std::vector<Token> tokens;
   for (std::size_t i = 0; i < text.size();) {
@@ -67,7 +75,7 @@ std::vector<Token> tokens_of(const std::string& text) {
     } else if (std::isalpha(c) || c >= 0x80) {
       while (i < text.size() && (std::isalpha(static_cast<unsigned char>(text[i])) ||
                                  static_cast<unsigned char>(text[i]) >= 0x80))
-        token.text += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i++])));
+        token.text += small(token.text, text[i++]);
       token.kind = Token::Kind::word;
       token.number = number_of(token.text);
     } else {
@@ -82,11 +90,27 @@ std::vector<Token> tokens_of(const std::string& text) {
   return tokens;
 }
 
+/// "Teil 2" is the second one, "Teile: 2" are two.
+bool is_plural_of_piece(const std::string& w) {
+  return is_one_of(w, {"st\xc3\xbc"
+                       "ck",
+                       "stueck",
+                       "st\xc3\xbc"
+                       "ckzahl",
+                       "stueckzahl", "teile", "pezzi", "piezas",
+                       "pi\xc3\xa8"
+                       "ces",
+                       "pe\xc3\xa7"
+                       "as",
+                       "stuks"});
+}
 bool is_cut_word(const std::string& w) {
   return begins_as(w, {"zuschneid", "zuschnitt", "schneide", "couper", "coupez", "quantit",
                        "tagliare", "knippen", "cantidad", "quantidad", "quantity"}) ||
-         is_one_of(w, {"cut", "cuts", "qty", "qte", "qtd", "qta", "anzahl", "menge", "cortar",
-                       "corte", "cant", "aantal", "pieces", "pcs", "stk", "amount"});
+         is_one_of(
+             w, {"cut", "cuts", "qty", "qte", "qtd", "qta", "anzahl", "menge", "cortar", "corte",
+                 "cant", "aantal", "pieces", "pcs", "stk", "amount", "anz", "copies", "coupe"}) ||
+         is_plural_of_piece(w);
 }
 bool is_piece_word(const std::string& w) {
   return is_one_of(w, {"piece", "pieces", "pc", "pcs", "stk",
@@ -97,7 +121,10 @@ bool is_piece_word(const std::string& w) {
                        "ces",
                        "pe\xc3\xa7"
                        "as",
-                       "off"});
+                       "off", "required", "needed", "stuks"});
+}
+bool is_and(const std::string& w) {
+  return is_one_of(w, {"+", "&", "and", "und", "et", "y", "e", "en", "plus"});
 }
 /// Folds and stitches are made several times as well.
 bool is_times_word(const std::string& w) {
@@ -210,6 +237,27 @@ class Finder {
     found.other_hand = tokens_[i].number;
     return found;
   }
+  /// "1 + mirror", "1 and 1 reversed": that many of the other hand as well.
+  std::optional<Found> with_mirrored(std::size_t first, std::size_t k) const {
+    std::size_t i = k + 1;
+    if (i >= tokens_.size() || !is_and(tokens_[i].text)) return {};
+    ++i;
+    Found found{first, i, tokens_[k].number};
+    found.other_hand = found.number;
+    if (is_number(i) && !is_measure(i)) found.other_hand = tokens_[i++].number;
+    if (is_times(i)) ++i;
+    if (!is_word(i) || !is_mirror_word(tokens_[i].text)) return {};
+    found.last = i;
+    return found;
+  }
+  /// "cut left and right": one of each.
+  std::optional<Found> both_hands(std::size_t first, std::size_t k) const {
+    const std::size_t other = k + 2;
+    if (!is_word(k) || !is_word(other) || hand_of(tokens_[k].text) == 0) return {};
+    if (!is_and(tokens_[k + 1].text) && tokens_[k + 1].text != ",") return {};
+    if (hand_of(tokens_[k].text) + hand_of(tokens_[other].text) != 3) return {};
+    return Found{first, other, 1, true};
+  }
   /// A small x or the sign ×; "2X" is a size.
   bool is_times(std::size_t i) const {
     return is_word(i) && tokens_[i].text == "x" && text_[tokens_[i].begin] != 'X';
@@ -219,13 +267,15 @@ class Finder {
     if (is_word(i) && is_cut_word(tokens_[i].text)) {
       std::size_t k = i + 1;
       while (k < tokens_.size() &&
-             (tokens_[k].text == ":" || tokens_[k].text == "=" || tokens_[k].text == "." ||
+             (is_one_of(tokens_[k].text, {":", "=", ".", "(", "[", "-", "#"}) ||
               is_cut_word(tokens_[k].text) || is_one_of(tokens_[k].text, {"a", "of", "x", "je"})))
         ++k;
       if (is_number(k) && !is_fraction(k) && !is_measure(k)) {
-        const std::optional<Found> hands = of_hands(i, k);
-        return hands ? *hands : with_unit(i, k, tokens_[k].number);
+        if (const std::optional<Found> hands = of_hands(i, k)) return hands;
+        if (const std::optional<Found> both = with_mirrored(i, k)) return both;
+        return with_unit(i, k, tokens_[k].number);
       }
+      if (const std::optional<Found> both = both_hands(i, k)) return both;
       // "2.0" is the number 2.
       if (is_number(k) && is_digits(k + 2) && is_fraction(k + 2) && !is_unit(k + 3) &&
           tokens_[k + 2].text.find_first_not_of('0') == std::string::npos)
@@ -240,6 +290,7 @@ class Finder {
         !(is_word(i + 2) && tokens_[i + 2].begin == tokens_[i + 1].end))
       return with_unit(i, i + 1, tokens_[i + 1].number);
     if (is_number(i) && !is_fraction(i)) {
+      if (const std::optional<Found> both = with_mirrored(i, i)) return both;
       const bool digits = is_digits(i);
       if (digits && is_times(i + 1) && !is_digits(i + 2)) return Found{i, i + 1, tokens_[i].number};
       if (is_word(i + 1) && is_pair_word(tokens_[i + 1].text))
@@ -316,10 +367,10 @@ class Finder {
     if (rest) {
       *rest = text_.substr(0, tokens_[found.first].begin) + text_.substr(tokens_[last].end);
       const auto is_end = [](char c) {
-        return std::string(" ,;:-_()/\t").find(c) != std::string::npos;
+        return std::string(" ,;:-_()[]/\t").find(c) != std::string::npos;
       };
       while (!rest->empty() && is_end(rest->back())) rest->pop_back();
-      rest->erase(0, rest->find_first_not_of(" ,;:-_)/\t"));
+      rest->erase(0, rest->find_first_not_of(" ,;:-_)]/\t"));
     }
     return count;
   }
@@ -382,21 +433,34 @@ std::optional<PieceCount> read_quantity(const std::string& value) {
 
 bool counts_pieces(const std::string& key) {
   std::string word;
-  for (const char c : key)
-    if (c != ' ' && c != '_' && c != '-' && c != '\t')
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  bool number = false, pieces = false;
+  for (const Token& token : tokens_of(key)) {
+    if (token.kind != Token::Kind::word) continue;
+    word += token.text;
+    number |= is_one_of(token.text, {"no", "nr", "num", "number", "numero", "nb", "nombre", "n",
+                                     "anzahl", "anz", "count", "n\xc3\xbamero"});
+    pieces |= is_cut_word(token.text) || is_piece_word(token.text);
+  }
+  // "No. of pieces", "Nb de pièces", "Anzahl Teile".
+  if (number && pieces) return true;
   return is_one_of(word, {"quantity",
                           "quantities",
                           "qty",
+                          "qte",
+                          "qtd",
+                          "qta",
                           "cut",
                           "cutquantity",
                           "cutqty",
                           "cuts",
                           "anzahl",
+                          "anz",
                           "menge",
                           "st\xc3\xbc"
                           "ckzahl",
                           "stueckzahl",
+                          "st\xc3\xbc"
+                          "ck",
                           "quantite",
                           "quantit\xc3\xa9",
                           "cantidad",
@@ -409,7 +473,20 @@ bool counts_pieces(const std::string& key) {
                           "pcs",
                           "count",
                           "piececount",
-                          "numberofpieces"});
+                          "numberofpieces",
+                          "noofpieces",
+                          "copies"});
+}
+
+bool speaks_of_count(const std::string& text) {
+  bool cut = false, number = false, hands = false, mirror = false;
+  for (const Token& token : tokens_of(text.substr(0, 500))) {
+    cut |= token.kind == Token::Kind::word && is_cut_word(token.text);
+    number |= token.kind == Token::Kind::number;
+    hands |= hand_of(token.text) > 0 || token.text == "both";
+    mirror |= token.kind == Token::Kind::word && is_mirror_word(token.text);
+  }
+  return !find_quantity(text) && ((cut && (number || hands)) || (mirror && number));
 }
 
 }  // namespace loosefit::io

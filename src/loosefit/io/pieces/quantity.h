@@ -20,11 +20,16 @@ std::optional<PieceCount> read_quantity(const std::string& value);
 /// "2 pcs", "1 pair", "cut two, mirrored", "cut 2 identical" (none mirrored), in English, German,
 /// French, Spanish, Italian, Portuguese and Dutch. A count of a lining, an interlining or a fusible
 /// is none of the garment's ("cut 2 from lining"). Sizes (2X, 100 x 100 mm) and lengths (2 cm) are
-/// no counts. "1 left, 1 right" and "1+1" after a word for cutting name both hands. \param rest
+/// no counts. "1 left, 1 right", "1+1" and "left and right" after a word for cutting name both
+/// hands, as "1 + mirror" and "1 and 1 reversed" do. \param rest
 /// what the text says beside the count, for the name of the piece; may be null
 std::optional<PieceCount> find_quantity(const std::string& text, std::string* rest = nullptr);
 
-/// Whether a key, without regard to case, counts pieces: quantity, qty, cut, Anzahl, …
+/// Whether a key, without regard to case, counts pieces: quantity, qty, cut, No. of pieces, …
 bool counts_pieces(const std::string& key);
+
+/// Whether a text has words of a count in it that find_quantity does not understand: "cut both",
+/// "2 reversed".
+bool speaks_of_count(const std::string& text);
 
 }  // namespace loosefit::io

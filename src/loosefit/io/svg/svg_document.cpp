@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
@@ -27,6 +29,13 @@ std::string in_quotes(const std::string& name) { return '"' + printable(name) + 
 bool is_shape(const std::string& name) {
   for (const char* known :
        {"path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "use"})
+    if (name == known) return true;
+  return false;
+}
+
+/// Kinds of elements that change how others are drawn.
+bool is_effect(const std::string& name) {
+  for (const char* known : {"clipPath", "mask", "marker", "pattern"})
     if (name == known) return true;
   return false;
 }
@@ -53,6 +62,13 @@ std::string words_in_element(const XmlElement& e) {
   std::string words = e.text;
   for (const XmlElement& child : e.children) words += " " + words_in_element(child);
   return words;
+}
+
+std::string trimmed(const std::string& text) {
+  std::istringstream words(text);
+  std::string all;
+  for (std::string word; words >> word;) all += (all.empty() ? "" : " ") + word;
+  return all;
 }
 
 bool has_path(const XmlElement& e) {
@@ -89,7 +105,9 @@ class Reader {
     document_.freesewing = root.attributes.count("freesewing") > 0;
     static_cast<SvgPage&>(document_) = page_of(root, text, file_);
     index(root);
-    const Inherited outside{styles_.property(root, "visibility"), 0};
+    Inherited outside;
+    outside.visibility = styles_.property(root, "visibility");
+    paint(root, outside);
     for (const XmlElement& child : root.children)
       element(child, SvgAffine::Identity(), {}, outside, false);
     if (!document_.freesewing) note_definitions(root, false);
@@ -101,16 +119,43 @@ class Reader {
   /// What the elements round one leave it.
   struct Inherited {
     SvgStyles::Value visibility;
-    int uses = 0;  ///< within each other
+    int uses = 0;                ///< within each other
+    std::string fill = "black";  ///< as W3C SVG 1.1, 11.3 and 11.4, begin
+    std::string stroke = "none";
+    std::string faded;  ///< "opacity: 0"; empty: nothing round it says so
   };
+
+  /// What an element passes on of its paint.
+  void paint(const XmlElement& e, Inherited& inherited) const {
+    for (const auto& [name, text] :
+         {std::pair{"fill", &inherited.fill}, {"stroke", &inherited.stroke}})
+      if (const SvgStyles::Value own = styles_.property(e, name);
+          !own.text.empty() && !is(own.text, "inherit"))
+        *text = own.text;
+    const auto is_nothing = [&](const char* name) {
+      const SvgStyles::Value own = styles_.property(e, name);
+      char* end = nullptr;
+      return !own.text.empty() && std::strtod(own.text.c_str(), &end) == 0 &&
+             end != own.text.c_str();
+    };
+    if (is_nothing("opacity")) inherited.faded = "opacity: 0";
+    if (is_nothing("fill-opacity")) inherited.fill = "none";
+    if (is_nothing("stroke-opacity") || is_nothing("stroke-width")) inherited.stroke = "none";
+  }
+
+  static std::string unseen_by(const Inherited& inherited) {
+    if (!inherited.faded.empty()) return inherited.faded;
+    const auto nothing = [](const std::string& paint) {
+      return is(paint, "none") || is(paint, "transparent");
+    };
+    return nothing(inherited.fill) && nothing(inherited.stroke) ? "no fill and no stroke" : "";
+  }
 
   /// Where people may need to know of a thing that it was left out, and why.
   void leave(const std::string& reason, const XmlElement& e) { left_[reason].push_back(called(e)); }
 
   void tell_unused() {
     constexpr std::size_t kNamed = 12;
-    for (const auto& [kind, count] : counts_)
-      document_.unused.push_back(fmt::format("{}: {}", kind, count));
     for (const auto& [reason, names] : left_) {
       const std::vector<std::string> first(names.begin(),
                                            names.begin() + std::min(names.size(), kNamed));
@@ -138,11 +183,14 @@ class Reader {
     if (shown_.count(&e)) return;
     if (e.name == "defs") {
       for (const XmlElement& child : e.children) note_definitions(child, true);
-    } else if (symbol || e.name == "g" || is_shape(e.name)) {
+    } else if (symbol || e.name == "g" || is_shape(e.name) || is_effect(e.name)) {
       const bool used = std::any_of(e.children.begin(), e.children.end(),
                                     [&](const XmlElement& child) { return shown_.count(&child); });
       if (shapes_in(e) > 0 && !used)
-        leave(symbol ? "symbols that nothing uses" : "definitions that nothing uses", e);
+        leave(symbol              ? "symbols that nothing uses"
+              : is_effect(e.name) ? "clip paths, masks, markers and patterns, which draw no piece"
+                                  : "definitions that nothing uses",
+              e);
     }
   }
 
@@ -170,6 +218,7 @@ class Reader {
       if (const SvgStyles::Value own = styles_.property(e, "transform");
           own.from != "its attribute" && !own.text.empty() && !is(own.text, "none"))
         leave("transform in a style, not applied: the place or size is another", e);
+      paint(e, inherited);
     }
     const bool hidden =
         is(inherited.visibility.text, "hidden") || is(inherited.visibility.text, "collapse");
@@ -202,6 +251,7 @@ class Reader {
     shape.classes = e.attribute("class");
     shape.quantity = quantity_of(e);
     shape.said = said_of(e);
+    shape.unseen = unseen_by(inherited);
     shape.marker = styles_.property(e, "marker-start").text;
     if (shape.marker.empty() || shape.marker == "none")
       shape.marker = styles_.property(e, "marker-end").text;
@@ -305,7 +355,7 @@ class Reader {
     const auto found = href.starts_with("#") ? by_id_.find(href.substr(1)) : by_id_.end();
     if (found == by_id_.end())
       return leave("uses of " + in_quotes(href) + ", which is not in the file", e);
-    if (document_.freesewing) return void(++counts_["use"]);
+    if (document_.freesewing) return leave("uses of snippets, which are marks", e);
     if (inherited.uses >= kMostUses || ++used_ > kMostUsed)
       return leave("uses within each other, or more than the reader follows", e);
     ++inherited.uses;
@@ -316,6 +366,19 @@ class Reader {
             ? fitted(shown, e) * fitted(shown, shown).inverse()
             : SvgAffine::Identity();
     element(shown, at * sized, groups, inherited, true);
+  }
+
+  /// What stands in an element that draws nothing by itself, or that is not read.
+  void undrawn(const XmlElement& e) {
+    if (e.name == "image") {
+      leave("pictures, not read", e);
+    } else if (e.name == "foreignObject") {
+      const std::string words = trimmed(words_in_element(e));
+      left_["foreignObject, not read"].push_back(words.empty() ? called(e)
+                                                               : in_quotes(words.substr(0, 60)));
+    } else if (shapes_in(e) > 0 && e.name != "defs") {
+      leave("in a " + printable(e.name, 40) + ", which draws nothing by itself", e);
+    }
   }
 
   /// \return false for what is no shape
@@ -350,7 +413,7 @@ class Reader {
       run.closed = e.name == "polygon";
       shape.runs = {run};
     } else {
-      if (e.name == "image" || e.name == "foreignObject") ++counts_[e.name];
+      undrawn(e);
       return false;
     }
     return !shape.runs.empty();
@@ -360,8 +423,7 @@ class Reader {
   SvgDocument document_;
   SvgStyles styles_;
   std::map<std::string, const XmlElement*> by_id_;
-  std::set<const XmlElement*> shown_;  ///< by a use
-  std::map<std::string, int> counts_;
+  std::set<const XmlElement*> shown_;                     ///< by a use
   std::map<std::string, std::vector<std::string>> left_;  ///< names by reasons
   int used_ = 0;
 };

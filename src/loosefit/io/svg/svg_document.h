@@ -19,6 +19,7 @@ struct SvgShape {
   std::vector<SvgRun> runs;
   std::string quantity;           ///< an attribute that counts it (quantity.h); may be empty
   std::vector<std::string> said;  ///< its title and description
+  std::string unseen;             ///< why a viewer shows nothing of it; empty: it does
 };
 
 /// A text of a drawing.

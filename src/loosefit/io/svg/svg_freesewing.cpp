@@ -83,8 +83,14 @@ std::vector<CountedPiece> freesewing_pieces(const SvgDocument& document, double 
     const bool other = std::any_of(std::begin(kOtherLines), std::end(kOtherLines),
                                    [&](const char* c) { return has_class(shape, c); });
     if ((!fabric && !plain) || other) {
-      left.count(has_class(shape, "sa") ? std::string("seam allowances")
-                                        : "lines of class \"" + printable(shape.classes, 60) + '"');
+      const bool allowance = has_class(shape, "sa");
+      left.count(allowance ? std::string("seam allowances")
+                           : "lines of class \"" + printable(shape.classes, 60) + '"',
+                 "in part " + part.name);
+      for (const SvgRun& run : shape.runs)
+        if (SampledRun line = sampled_in_metres(run, unit);
+            line.closed && !allowance && line.points.size() > 2)
+          part.others.push_back({std::move(line.points), shape.classes, place});
       continue;
     }
     for (const SvgRun& run : shape.runs) {
@@ -107,9 +113,6 @@ std::vector<CountedPiece> freesewing_pieces(const SvgDocument& document, double 
     if (part.has_outline()) names.insert(part.name);
   std::vector<CountedPiece> pieces;
   for (const auto& [group, part] : parts) {
-    if (!part.has_outline())
-      left.unused.push_back("part " + printable(part.name) +
-                            ": it has no closed path of class \"fabric\"");
     for (CountedPiece& piece : drawn_freesewing(part, marked, names, left))
       pieces.push_back(std::move(piece));
   }

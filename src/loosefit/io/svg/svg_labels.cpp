@@ -122,11 +122,4 @@ pattern::PieceWords words_of_group(const SvgDocument& document, const SvgShape& 
   return pattern::words_of(own_name(document.groups[g].label, document.groups[g].id));
 }
 
-bool names_a_piece(const pattern::PieceWords& w) {
-  return w.front || w.back || w.sleeve || w.leg || w.skirt || w.yoke || w.pocket || w.hood ||
-         w.neck || w.cuff || w.waist || w.hem;
-}
-
-bool names_cloth(const pattern::PieceWords& w) { return names_a_piece(w) || w.top; }
-
 }  // namespace loosefit::io

@@ -43,8 +43,4 @@ bool is_called_hole(const SvgDocument& document, const SvgShape& shape);
 /// The innermost group round a shape; −1.
 int innermost_group(const SvgShape& shape);
 
-bool names_a_piece(const pattern::PieceWords& words);
-/// The same, or a whole garment: a tunic, a poncho.
-bool names_cloth(const pattern::PieceWords& words);
-
 }  // namespace loosefit::io

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "loosefit/base/text.h"
+#include "loosefit/io/pieces/fold_words.h"
 #include "loosefit/io/pieces/quantity.h"
 #include "loosefit/io/svg/svg_labels.h"
 #include "loosefit/io/svg/svg_lines.h"
@@ -25,32 +26,51 @@ std::optional<Axis> longest_side(const SvgShape& shape, double unit) {
   return best;
 }
 
-/// Per piece the texts in it or beside it that say how often it is cut or speak of a fold.
+bool has_digit(const std::string& text) {
+  return text.find_first_of("0123456789") != std::string::npos;
+}
+
+/// Per piece the texts in it or beside it that say how often it is cut or speak of a fold. Others
+/// with a number or a word of a count are told.
 std::vector<std::vector<std::string>> telling_texts(const SvgDocument& document, double unit,
-                                                    const SvgPlaces& places, std::size_t pieces) {
-  std::vector<std::vector<std::string>> texts(pieces);
+                                                    const SvgPlaces& places,
+                                                    std::vector<CountedPiece>& pieces,
+                                                    LeftOut& left) {
+  std::vector<std::vector<std::string>> texts(pieces.size());
   for (const SvgText& text : document.texts) {
-    if (!find_quantity(text.words) && !pattern::words_of(text.words).fold) continue;
+    const std::string words = trimmed_words(text.words), shown = '"' + printable(words, 60) + '"';
+    const bool tells = find_quantity(words) || speaks_of_fold(words);
+    const bool may_count = !tells && speaks_of_count(words);
+    if (!tells && !may_count) {
+      if (has_digit(words)) left.count("texts that are not read", shown);
+      continue;
+    }
     std::optional<Vec2> at;
     if (text.at) at = in_metres({*text.at}, unit)[0];
     const int p = places.piece_of(text.groups, at);
-    if (p >= 0) texts[p].push_back(trimmed_words(text.words));
+    if (p < 0) {
+      left.tell("text " + shown + " at line " + std::to_string(text.line) +
+                ": it stands in no piece and next to none, it counts and folds nothing");
+    } else if (tells) {
+      texts[p].push_back(words);
+    } else {
+      pieces[p].piece.notes.push_back("its text " + shown +
+                                      " may say how often it is cut and is not understood: it "
+                                      "counts nothing");
+      left.count("texts that are not read", shown);
+    }
   }
   return texts;
 }
 
 void tell_of_fold(DrawnPiece& piece, const std::vector<std::string>& texts,
                   const std::vector<std::string>& labels) {
-  const char* const but = " speaks of a fold, but no line called \"fold\" says where: not unfolded";
-  if (pattern::words_of(piece.name).fold)
-    piece.notes.push_back(std::string("its name") + but);
+  const char* const mark = "no line called \"fold\"";
+  if (speaks_of_fold(piece.name))
+    note_missing_fold(piece, "its name", piece.name, mark);
   else
-    for (const std::string& label : labels)
-      if (pattern::words_of(label).fold)
-        piece.notes.push_back("its label \"" + printable(label) + '"' + but);
-  for (const std::string& text : texts)
-    if (pattern::words_of(text).fold)
-      piece.notes.push_back("its text \"" + printable(text) + '"' + but);
+    for (const std::string& label : labels) note_missing_fold(piece, "its label", label, mark);
+  for (const std::string& text : texts) note_missing_fold(piece, "its text", text, mark);
 }
 
 }  // namespace
@@ -99,8 +119,8 @@ void give_marks(const SvgDocument& document, double unit, const std::vector<cons
 
 void give_counts(const SvgDocument& document, double unit,
                  const std::vector<const SvgShape*>& shapes, const SvgPlaces& places,
-                 std::vector<CountedPiece>& pieces) {
-  const auto all_texts = telling_texts(document, unit, places, pieces.size());
+                 std::vector<CountedPiece>& pieces, LeftOut& left) {
+  const auto all_texts = telling_texts(document, unit, places, pieces, left);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     DrawnPiece& piece = pieces[p].piece;
     const std::vector<std::string>& texts = all_texts[p];

@@ -24,9 +24,10 @@ void give_marks(const SvgDocument& document, double unit, const std::vector<cons
 
 /// Reads how often pieces are cut: of attributes, titles, labels and texts of a piece, then of the
 /// groups round it, the first one that says so. Tells texts that speak of a fold where no line
-/// marks one. \param shapes per piece; null: it is made of several
+/// marks one, and those that may count and are not understood or belong to no piece. \param shapes
+/// per piece; null: it is made of several
 void give_counts(const SvgDocument& document, double unit,
                  const std::vector<const SvgShape*>& shapes, const SvgPlaces& places,
-                 std::vector<CountedPiece>& pieces);
+                 std::vector<CountedPiece>& pieces, LeftOut& left);
 
 }  // namespace loosefit::io

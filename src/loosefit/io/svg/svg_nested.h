@@ -7,8 +7,10 @@
 
 namespace loosefit::io {
 
-/// Without rectangles that cover the page or several other closed lines, which are frames. One that
-/// is called after a piece is none, and holes are no other lines. \param unit of the drawing [m]
+/// Without rectangles that cover the page or several other closed lines, which are frames, and
+/// without small unnamed squares beside the pieces of whole centimetres or inches, by which prints
+/// are checked; a warning names each. One that is called after a piece is none, and holes are no
+/// other lines. \param unit of the drawing [m]
 std::vector<SvgLine> without_frames(const SvgDocument& document, std::vector<SvgLine> closed,
                                     double unit, LeftOut& left);
 

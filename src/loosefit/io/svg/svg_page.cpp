@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -17,6 +20,10 @@ namespace {
 constexpr double kInch = 25.4;
 constexpr double kLastOf90 = 0.915;  // versions of Inkscape: 0.91, and 0.92 after it
 
+constexpr double kSameScale = 1e-3;  // of the page, across and down
+// Lengths that only a screen has.
+constexpr const char* kOfScreen[] = {"em", "ex", "ch", "vw", "vh", "vmin", "vmax", ")"};
+
 /// A length with its unit: value, and millimetres of the unit, none for a plain number and for px,
 /// which stand for a unit that nobody named.
 struct Length {
@@ -25,8 +32,11 @@ struct Length {
   bool percent = false;
 };
 
-std::optional<Length> parse_length(const std::string& text) {
+std::optional<Length> parse_length(std::string text) {
   Length length;
+  // A decimal comma is a point, where there is one and no point.
+  if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+    std::replace(text.begin(), text.end(), ',', '.');
   const char* begin = text.data();
   const char* end = text.data() + text.size();
   while (begin != end && (*begin == ' ' || *begin == '\t' || *begin == '+')) ++begin;
@@ -35,10 +45,11 @@ std::optional<Length> parse_length(const std::string& text) {
   std::string unit(rest, end);
   while (!unit.empty() && unit.back() == ' ') unit.pop_back();
   while (!unit.empty() && unit.front() == ' ') unit.erase(0, 1);
+  for (char& c : unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (unit == "mm") length.mm = 1;
   if (unit == "cm") length.mm = 10;
   if (unit == "m") length.mm = 1000;
-  if (unit == "in") length.mm = kInch;
+  if (unit == "in" || unit == "inch" || unit == "inches") length.mm = kInch;
   if (unit == "pt") length.mm = kInch / 72;
   if (unit == "pc") length.mm = kInch / 6;
   length.percent = unit == "%";
@@ -92,6 +103,16 @@ SvgPage page_of(const XmlElement& root, const std::string& text, const std::stri
   set_program(root, text, page);
   const std::optional<Length> sides[] = {parse_length(root.attribute("width")),
                                          parse_length(root.attribute("height"))};
+  // A unit that stands there and is not understood is not passed over for a guess.
+  for (int k = 0; k < 2; ++k) {
+    const std::string key = k == 0 ? "width" : "height";
+    const std::string& side = root.attribute(key);
+    const bool of_screen = std::any_of(std::begin(kOfScreen), std::end(kOfScreen),
+                                       [&](const char* unit) { return side.ends_with(unit); });
+    if (!sides[k] && !of_screen && side.find_first_of("0123456789") != std::string::npos)
+      throw InvalidInput({file, root.line, key}, '"' + printable(side, 40) + '"',
+                         "a length in mm, cm, m, in, pt, pc or px, or a percentage");
+  }
   const std::string& box = root.attribute("viewBox");
   std::vector<double> view;
   if (!box.empty()) {
@@ -119,6 +140,14 @@ SvgPage page_of(const XmlElement& root, const std::string& text, const std::stri
       continue;
     }
     const double mm = side->value * side->mm.value_or(page.unit.mm) / view[2 + k];
+    if (stated && std::abs(mm / stated->mm - 1) > kSameScale &&
+        root.attribute("preserveAspectRatio").find("none") != std::string::npos)
+      throw InvalidInput(
+          {file, root.line, "preserveAspectRatio"},
+          fmt::format("\"none\" with units of {:.4g} mm across and {:.4g} mm down", stated->mm, mm),
+          "one scale for both",
+          "width and height of the page do not fit its viewBox: the pieces would be "
+          "drawn out of shape");
     if (stated && stated->mm <= mm) continue;
     const std::string words = fmt::format("{} {} over a viewBox of {:g} units", key,
                                           printable(root.attribute(key), 30), view[2 + k]);

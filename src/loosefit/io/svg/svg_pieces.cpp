@@ -25,8 +25,9 @@ constexpr std::size_t kMostClosed = 1000;  // closed lines
 constexpr std::size_t kMostPoints = 2'000'000;
 constexpr std::size_t kMostOpen = 2000;  // open lines of one group
 
-constexpr double kClosedGap = 2e-3;    // between ends of a line that was meant to be closed [m]
-constexpr std::size_t kMostInner = 8;  // lines that one warning names
+constexpr double kClosedGap = 2e-3;     // between ends of a line that was meant to be closed [m]
+constexpr double kNearlyClosed = 0.05;  // of its length is the gap of a line that may be a piece
+constexpr std::size_t kMostInner = 8;   // lines that one warning names
 
 /// Without what says how often it is cut; empty: it says nothing else.
 std::string clean_name(std::string name) {
@@ -56,9 +57,10 @@ class Sorter {
     chain_groups(pieces, pieces_of_group, left);
     cut_lone_holes(pieces, left);
     give_marks(document_, unit_, marks_, places_, pieces, left);
-    give_counts(document_, unit_, shapes_, places_, pieces);
-    for (int k = chained_; k < static_cast<int>(open_.size()); ++k)
-      left.count("open lines that are no grain, fold or notch");
+    give_counts(document_, unit_, shapes_, places_, pieces, left);
+    for (const SvgLine& open : open_)
+      if (!chained_groups_.count(innermost_group(*open.shape)))
+        left.count("open lines that are no grain, fold or notch", called_line(*open.shape));
     return pieces;
   }
 
@@ -104,9 +106,9 @@ class Sorter {
       outline = seam, piece.on_sew_line = true;
     if (words_of_shape(*outline->shape).seam) piece.on_sew_line = true;
     set_outline(piece, outline->line.points, outline->line.nodes);
+    tell_unseen(piece, shape, *outline);
     for (const std::size_t k : others)
-      left.count("outlines of other sizes",
-                 own_name(closed_[k].shape->label, closed_[k].shape->id));
+      left.count("outlines of other sizes", called_line(*closed_[k].shape));
     if (!made.of_size && !sizes.empty())
       piece.notes.push_back(fmt::format(
           "the largest of {} outlines that lie in each other is taken, not {}: a word of its "
@@ -121,6 +123,17 @@ class Sorter {
     places_.outlines.push_back(closed_[cut].line.points);
     shapes_.push_back(&shape);
     return made;
+  }
+
+  /// What nobody sees in a viewer is sewn all the same, which is told.
+  void tell_unseen(DrawnPiece& piece, const SvgShape& shape, const SvgLine& outline) const {
+    if (!shape.unseen.empty())
+      piece.notes.push_back("its line is not to be seen (" + printable(shape.unseen, 80) +
+                            "): taken all the same; `display: none` leaves it out");
+    const Vec2 a = unit_ * document_.low, b = unit_ * document_.high;
+    const Eigen::AlignedBox2d page(Vec2(a.x(), -b.y()), Vec2(b.x(), -a.y()));
+    if ((b - a).minCoeff() > 0 && !page.intersects(box_of(outline.line.points)))
+      piece.notes.push_back("it stands outside of the page: taken all the same");
   }
 
   /// Lines within a piece: holes where they are called so, or are drawn in one path with its
@@ -140,7 +153,7 @@ class Sorter {
       if (is_called_hole(document_, *line.shape) || one_path || !hole_names_[k].empty()) {
         holes.push_back(k);
       } else if (words.seam) {
-        left.count("sew lines that are not used", own_name(line.shape->label, line.shape->id));
+        left.count("sew lines that are not used", called_line(*line.shape));
       } else {
         left.count("closed lines within pieces", called_line(*line.shape));
         told.push_back(called_line(*line.shape));
@@ -150,7 +163,7 @@ class Sorter {
     if (!size_.empty() && !others.empty() && std::any_of(holes.begin(), holes.end(), of_size))
       std::erase_if(holes, [&](std::size_t k) {
         if (of_size(k)) return false;
-        left.count("holes of other sizes", own_name(closed_[k].shape->label, closed_[k].shape->id));
+        left.count("holes of other sizes", called_line(*closed_[k].shape));
         return true;
       });
     for (const std::size_t k : holes) {
@@ -200,20 +213,24 @@ class Sorter {
   }
 
   /// Lines that nearly close, and others with the name of a piece, are cloth that was lost.
-  void tell_open(const std::set<int>& chained, LeftOut& left) const {
+  void tell_open(LeftOut& left) const {
     for (const SvgLine& open : open_) {
       const std::vector<Vec2>& points = open.line.points;
-      const bool named = names_cloth(words_of_shape(*open.shape)) ||
+      const double gap = (points.front() - points.back()).norm();
+      double length = 0;
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        length += (points[k + 1] - points[k]).norm();
+      const bool named = gap < kNearlyClosed * length || names_cloth(words_of_shape(*open.shape)) ||
                          names_cloth(words_of_group(document_, *open.shape)) ||
                          !own_name(open.shape->label, open.shape->id).empty();
       const bool within = std::any_of(closed_.begin(), closed_.end(), [&](const SvgLine& piece) {
         return lies_inside(points, piece.line.points);
       });
-      if (named && !within && !chained.count(innermost_group(*open.shape)) && points.size() > 2 &&
-          std::abs(pattern::signed_area(points)) >= kSmallestPiece)
+      if (named && !within && !chained_groups_.count(innermost_group(*open.shape)) &&
+          points.size() > 2 && std::abs(pattern::signed_area(points)) >= kSmallestPiece)
         left.warnings.push_back(fmt::format(
             "open line {}: left out, its ends are {:.3g} mm apart; close it if it is a piece",
-            called_line(*open.shape), 1e3 * (points.front() - points.back()).norm()));
+            called_line(*open.shape), 1e3 * gap));
     }
   }
 
@@ -224,7 +241,7 @@ class Sorter {
                                 group = words_of_group(document_, shape);
       if (is_of_sheet(shape, own, group)) {
         const std::string name = own_name(shape.label, shape.id);
-        left.count("frames, legends and test squares", name);
+        left.count("frames, legends and test squares", called_line(shape));
         if (!name.empty() && (!own.sheet || words_in(name).size() > 1) && encloses_a_piece(shape))
           left.warnings.push_back("closed line " + called_line(shape) +
                                   ": left out, it or its group is called after a page, a frame, a "
@@ -278,7 +295,7 @@ class Sorter {
               "closed line " + called_line(shape) +
               ": not cut, it has less than 4 cm2, for which the mesh of a garment has no room");
         else
-          left.count("closed lines of less than 4 cm2", own_name(shape.label, shape.id));
+          left.count("closed lines of less than 4 cm2", called_line(shape));
       } else {
         open_.push_back(std::move(one));
       }
@@ -413,7 +430,6 @@ class Sorter {
   /// Groups without a closed line whose open ones close together.
   void chain_groups(std::vector<CountedPiece>& pieces, const std::map<int, int>& pieces_of_group,
                     LeftOut& left) {
-    std::set<int> chained_groups;
     std::map<int, std::vector<const SvgLine*>> open;
     for (const SvgLine& run : open_) open[innermost_group(*run.shape)].push_back(&run);
     for (const auto& [group, runs] : open) {
@@ -439,9 +455,9 @@ class Sorter {
         places_.outlines.push_back(std::move(points));
         shapes_.push_back(runs[0]->shape);
       }
-      if (made > 0) chained_ += static_cast<int>(runs.size()), chained_groups.insert(group);
+      if (made > 0) chained_groups_.insert(group);
     }
-    tell_open(chained_groups, left);
+    tell_open(left);
   }
 
   const SvgDocument& document_;
@@ -454,7 +470,7 @@ class Sorter {
   SvgPlaces places_;
   std::vector<const SvgShape*> shapes_;  ///< per piece
   std::optional<std::set<int>> groups_with_pieces_;
-  int chained_ = 0;
+  std::set<int> chained_groups_;  ///< whose open lines close together
   std::size_t points_ = 0;
 };
 

@@ -13,6 +13,14 @@ namespace {
 constexpr std::size_t kMostRules = 2000, kMostSteps = 8;
 constexpr const char* kDecisive[] = {"display",      "visibility", "marker",
                                      "marker-start", "marker-end", "transform"};
+/// What paints a line decides nothing: unseen lines are told.
+constexpr const char* kPaint[] = {"fill",         "stroke",         "opacity",
+                                  "fill-opacity", "stroke-opacity", "stroke-width"};
+constexpr std::size_t kMostPaintRules = 500;
+
+bool is_paint(const std::string& name) {
+  return std::find(std::begin(kPaint), std::end(kPaint), name) != std::end(kPaint);
+}
 
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
@@ -127,14 +135,16 @@ void SvgStyles::add_sheet(const std::string& text) {
 
 void SvgStyles::add_rules(const std::string& selectors, const std::string& body) {
   std::map<std::string, Declaration> all = declarations(body);
-  if (all.empty()) return;
+  const bool paint =
+      std::all_of(all.begin(), all.end(), [](const auto& one) { return is_paint(one.first); });
+  if (all.empty() || (paint && rules_.size() >= kMostPaintRules)) return;
   std::istringstream list(selectors);
   for (std::string one; std::getline(list, one, ',');) {
     Rule rule;
     rule.text = trimmed(one);
     rule.declarations = all;
     if (rules_.size() >= kMostRules || !parse(rule.text, rule.selector)) {
-      unread_.push_back("selector " + printable(rule.text));
+      if (!paint) unread_.push_back("selector " + printable(rule.text));
       continue;
     }
     for (const Compound& step : rule.selector)
@@ -152,7 +162,8 @@ std::map<std::string, SvgStyles::Declaration> SvgStyles::declarations(const std:
     const std::size_t colon = one.find(':');
     if (colon == std::string::npos) continue;
     const std::string name = lower(trimmed(one.substr(0, colon)));
-    if (std::find(std::begin(kDecisive), std::end(kDecisive), name) == std::end(kDecisive))
+    if (std::find(std::begin(kDecisive), std::end(kDecisive), name) == std::end(kDecisive) &&
+        !is_paint(name))
       continue;
     Declaration declaration{trimmed(one.substr(colon + 1)), false};
     if (const std::size_t mark = declaration.value.find('!'); mark != std::string::npos) {

@@ -8,7 +8,8 @@
 namespace loosefit::io {
 
 /// Styles of an SVG document: its style sheets, style attributes and presentation attributes, as
-/// far as they decide what is drawn: display, visibility, markers and transform.
+/// far as they decide what is drawn and seen: display, visibility, markers, transform, fill, stroke
+/// and opacity.
 /// Selectors by type, class, id, attribute, descendant and child, and lists of them (W3C Selectors
 /// 3); the cascade with `!important`, specificity and order (W3C CSS 2.1, 6.4). Rules for printers
 /// alone, and those with other selectors, are not applied; `unread` names them.
