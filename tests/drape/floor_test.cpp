@@ -67,7 +67,7 @@ double lowest(const Drape& drape) {
 
 TEST(FloorUnderCloth, ASkirtThatIsTooLongLiesOnIt) {
   const testing_support::Levels levels = testing_support::levels_of(woman());
-  const double length = levels.waist_height + 0.3;
+  const double length = levels.waist_height + 0.5;
   const pattern::Pattern pattern = testing_support::skirt(levels, 0.98, 1.3, length, 2);
   const Drape on_floor = draped(pattern, woman());
   EXPECT_TRUE(on_floor.certificate.settled())
