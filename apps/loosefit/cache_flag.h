@@ -4,8 +4,7 @@
 
 namespace loosefit {
 
-/// Adds `--no-cache` to a command: nothing is read from the disk cache or kept in it, by processes
-/// that the command starts neither.
+/// Adds `--no-cache` to a command: neither it nor a process that it starts uses the disk cache.
 inline void add_cache_flag(CLI::App& command) {
   command.add_flag_callback(
       "--no-cache", [] { setenv("LOOSEFIT_CACHE", "off", 1); },

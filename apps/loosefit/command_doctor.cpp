@@ -68,10 +68,9 @@ std::string find_cache() {
 std::string find_screen() { return render::Screen().str(); }
 
 int examine(bool json) {
-  std::vector<report::Finding> findings = {examine_one("body data", find_body_data),
-                                           examine_one("materials", find_materials),
-                                           examine_one("screen", find_screen),
-                                           examine_one("cache", find_cache)};
+  std::vector<report::Finding> findings = {
+      examine_one("body data", find_body_data), examine_one("materials", find_materials),
+      examine_one("screen", find_screen), examine_one("cache", find_cache)};
   if (!findings[2].ok) findings[2].hint += "; everything but pictures works without";
   const bool can_run = findings[0].ok && findings[1].ok;
   if (json)

@@ -42,10 +42,16 @@ TEST_F(DiskCache, GivesBackWhatWasStored) {
 
 TEST_F(DiskCache, ADamagedFileCountsAsAbsent) {
   disk_cache::store(key, "the result");
-  for (const char* damage : {"", "short", "the result that is not the one that was stored, and longer"}) {
+  for (const char* damage :
+       {"", "short", "the result that is not the one that was stored, and longer"}) {
     for (const auto& file : fs::directory_iterator(base)) std::ofstream(file.path()) << damage;
     EXPECT_EQ(disk_cache::load(key), std::nullopt) << damage;
   }
+}
+
+TEST_F(DiskCache, AFolderInItsPlaceCountsAsAbsent) {
+  fs::create_directories(base / (key + ".lfc"));
+  EXPECT_EQ(disk_cache::load(key), std::nullopt);
 }
 
 TEST_F(DiskCache, IsOffUntilAProgramTurnsItOn) {
@@ -73,7 +79,7 @@ TEST_F(DiskCache, WhatNobodyAskedForLongestMakesRoom) {
   fs::resize_file(base / "unfinished.lfc-new", disk_cache::kMostBytes);  // sparse
   fs::last_write_time(base / "unfinished.lfc-new",
                       fs::file_time_type::clock::now() - std::chrono::minutes(30));
-  disk_cache::store(key, "new");
+  for (int k = 0; k < 64; ++k) disk_cache::store(key, "new");
   EXPECT_EQ(disk_cache::load(key), "new");
   EXPECT_FALSE(fs::exists(old));
   EXPECT_EQ(disk_cache::size().files, 1u);

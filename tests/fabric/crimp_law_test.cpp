@@ -141,8 +141,8 @@ TEST(CrimpLaw, CarriesTheForceOfTheElastica) {
     const double force = load * std::pow(2 * std::comp_ellint_1(k) / kPi, 2);
     const double stretch = 1 - shortening;
     const Response r = at(law, {0.5 * (stretch * stretch - 1), 0}, {load, load});
-    EXPECT_NEAR(-r.stress[0] * stretch, force,
-                (0.003 + 2.5 * shortening * shortening) * force) << angle;
+    EXPECT_NEAR(-r.stress[0] * stretch, force, (0.003 + 2.5 * shortening * shortening) * force)
+        << angle;
   }
 }
 

@@ -140,7 +140,8 @@ TEST(SoftBody, TheDiskCacheChangesNoBit) {
   const auto surfaces = [&] {
     SoftBody person(body_model(), woman());
     std::vector<std::vector<Vec3>> all;
-    for (const body::Posture& posture : postures) all.push_back(person.in(posture)->surface.vertices);
+    for (const body::Posture& posture : postures)
+      all.push_back(person.in(posture)->surface.vertices);
     return all;
   };
   const auto without = surfaces();

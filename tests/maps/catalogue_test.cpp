@@ -80,8 +80,8 @@ TEST(MapCatalogue, NamesUnitsAndRangesFitTogether) {
 }
 
 TEST(MapCatalogue, KnowsWhatIsMadeByDefault) {
-  EXPECT_EQ(default_map_names(),
-            (std::vector<std::string>{"strain", "shear", "distance", "angular-deviation", "crimp"}));
+  EXPECT_EQ(default_map_names(), (std::vector<std::string>{"strain", "shear", "distance",
+                                                           "angular-deviation", "crimp"}));
   for (const std::string& name : map_names()) EXPECT_FALSE(find_map(name)->needs_postures) << name;
   EXPECT_EQ(find_map("drape"), nullptr);
   EXPECT_EQ(find_map_array("gap_mm")->style.map, "gap");
@@ -99,7 +99,8 @@ TEST(MapCatalogue, LeadsWithWhatALeadFeelsAndKeepsPrincipalStrainBehindIt) {
   const fabric::Material material;
   const auto arrays = [&](const std::vector<std::string>& names) {
     std::vector<std::string> made;
-    for (const PerformanceMap& map : compute_maps(tube, drape, body, names, {.material = &material}))
+    for (const PerformanceMap& map :
+         compute_maps(tube, drape, body, names, {.material = &material}))
       made.push_back(map.array);
     return made;
   };

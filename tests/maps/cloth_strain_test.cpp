@@ -36,7 +36,8 @@ TEST(ClothStrain, OfPushedClothIsHiddenInWaves) {
     }
 }
 
-// The length of a sine wave, by adding up, against the crimp that its slope and amplitude stand for.
+// The length of a sine wave, by adding up, against the crimp that its slope and amplitude stand
+// for.
 TEST(Crimp, StandsForTheSlopeAndAmplitudeOfASineWave) {
   const double wavelength = 0.012, amplitude = 0.0008;
   double length = 0, slope = 0;

@@ -377,7 +377,8 @@ TEST_F(Sites, ClothFarFromTheSkinCoversNone) {
   EXPECT_EQ(find({{"mine", "tube", {0.1, 0.2}}}).at(0).not_covering, "");
   for (Vec3& p : drape_.positions) p.x() += 0.3;
   worn_ = maps::relate(garment_, drape_.positions, body_);
-  maps_ = maps::compute_maps(garment_, drape_, worn_, maps::default_map_names(), {.material = &material_});
+  maps_ = maps::compute_maps(garment_, drape_, worn_, maps::default_map_names(),
+                             {.material = &material_});
   EXPECT_NE(find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering.find("310 mm off the skin"),
             std::string::npos)
       << find({{"mine", "tube", {0.01, 0.2}}}).at(0).not_covering;

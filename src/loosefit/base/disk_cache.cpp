@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 #include "loosefit/base/sha256.h"
@@ -18,9 +17,11 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kSuffix[] = ".lfc", kUnfinished[] = ".lfc-new";
-constexpr std::size_t kDigest = 64;  ///< characters before the result: the digest of the result
+constexpr std::size_t kDigest = 64;   ///< characters before the result: the digest of the result
+constexpr std::size_t kBlock = 4096;  ///< bytes of disk that a file takes at least
 /// After a clearing so much of kMostBytes is left, so that not every result has to make room.
 constexpr double kLeft = 0.75;
+constexpr int kRoomEvery = 64;  ///< results that a process keeps between two looks at the folder
 
 std::atomic<bool> is_on{false};
 
@@ -39,10 +40,12 @@ std::vector<Entry> entries(const fs::path& folder) {
   std::vector<Entry> all;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    std::error_code gone;  // another process may clear the folder
-    Entry entry{at->path(), at->file_size(gone), at->last_write_time(gone)};
-    const fs::path suffix = entry.path.extension();
-    if (!gone && (suffix == kSuffix || suffix == kUnfinished)) all.push_back(std::move(entry));
+    const fs::path suffix = at->path().extension();
+    if (suffix != kSuffix && suffix != kUnfinished) continue;
+    std::error_code gone, unknown;  // another process may clear the folder
+    const std::size_t bytes = std::max<std::size_t>(at->file_size(gone), kBlock);
+    const fs::file_time_type used = at->last_write_time(unknown);
+    if (!gone && !unknown) all.push_back({at->path(), bytes, used});
   }
   return all;
 }
@@ -80,9 +83,13 @@ std::optional<std::string> load(const std::string& key) {
   const fs::path in = folder();
   if (in.empty()) return std::nullopt;
   const fs::path path = in / (key + kSuffix);
+  std::error_code none;
+  if (!fs::is_regular_file(path, none)) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  std::error_code unknown;
+  std::string bytes(fs::file_size(path, unknown), 0);
+  if (unknown || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    return std::nullopt;
   if (bytes.size() < kDigest || sha256_hex(std::string_view(bytes).substr(kDigest)) !=
                                     std::string_view(bytes).substr(0, kDigest))
     return std::nullopt;
@@ -98,8 +105,9 @@ void store(const std::string& key, std::string_view bytes) {
   std::error_code error;
   fs::create_directories(in, error);
   if (error) return;
+  const int before = number++;
   const fs::path aside =
-      in / (key + "." + std::to_string(getpid()) + "-" + std::to_string(number++) + kUnfinished);
+      in / (key + "." + std::to_string(getpid()) + "-" + std::to_string(before) + kUnfinished);
   bool whole = false;
   {
     std::ofstream file(aside, std::ios::binary);
@@ -109,7 +117,7 @@ void store(const std::string& key, std::string_view bytes) {
   }
   if (whole) fs::rename(aside, in / (key + kSuffix), error);
   if (!whole || error) fs::remove(aside, error);
-  make_room(in);
+  if (before % kRoomEvery == 0) make_room(in);
 }
 
 Size size() {

@@ -25,7 +25,7 @@ std::optional<std::string> load(const std::string& key);
 void store(const std::string& key, std::string_view bytes);
 
 struct Size {
-  std::size_t files = 0, bytes = 0;
+  std::size_t files = 0, bytes = 0;  ///< of disk
 };
 Size size();
 

@@ -99,14 +99,14 @@ struct DisturbTuning {
 struct StepPlan {
   double turn = 0.4;        ///< largest rotation of any skin in one step [rad]
   double tolerance = 1000;  ///< residual after a step [–]: no more than a stage on the way
-  int iterations = 8;       ///< for it, at most [–]: 25 of them gave the same drape; F, "Short steps"
+  int iterations = 8;  ///< for it, at most [–]: 25 of them gave the same drape; F, "Short steps"
 };
 
 /// The wearer moves once the garment is on (phases/wear_in.h); the body's steps are those of
 /// FollowTuning.
 struct WearInTuning {
-  /// Residual after a pull on the hem and after letting go [–]: well below the pull itself, which is
-  /// about 20.
+  /// Residual after a pull on the hem and after letting go [–]: well below the pull itself, which
+  /// is about 20.
   double pull_tolerance = 5;
   double first_dt = 0.02;   ///< first pseudo-step of both [s]; as FollowTuning::first_dt
   int pull_iterations = 8;  ///< of both, at most [–]; as StepPlan::iterations

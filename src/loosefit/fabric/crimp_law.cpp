@@ -7,6 +7,8 @@ namespace loosefit::fabric {
 namespace {
 
 constexpr double kRise = CrimpLaw::kRise;
+/// Of the initial tangent, the least that a step divides by: a curve may yield in tension.
+constexpr double kLeast = 1e-3;
 
 /// The crimp c ≥ 0 with M c + q ≥ 0 and (M c + q)·c = 0, M = (mu k; k mv) positive definite.
 struct Complement {
@@ -17,12 +19,7 @@ inline Complement complement(double mu, double mv, double k, double qu, double q
   const double det = mu * mv - k * k;
   const double both_u = (k * qv - mv * qu) / det, both_v = (k * qu - mu * qv) / det;
   const bool u_alone = qv + k * only_u >= 0, v_alone = qu + k * only_v >= 0;
-  return {u_alone   ? only_u
-          : v_alone ? 0.0
-                    : both_u,
-          u_alone   ? 0.0
-          : v_alone ? only_v
-                    : both_v};
+  return {u_alone ? only_u : v_alone ? 0.0 : both_u, u_alone ? 0.0 : v_alone ? only_v : both_v};
 }
 
 /// (C⁻¹ + S⁻¹)⁻¹ over the buckled directions: C = (a k; k b) of the yarns, S = slope of the waves.
@@ -69,21 +66,29 @@ void CrimpLaw::respond(const PlaneRows& strain, const std::array<particles::Tile
     const double lu = load[0][i], lv = load[1][i];
     if (!is_linear) {
       // Newton on the complementarity problem; one step where the yarns are linear in compression.
-      constexpr int kMost = 50;
-      constexpr double kLeast = 1e-3;
+      constexpr int kMost = 50, kHalvings = 30;
+      const double least_u = kLeast * u.at(0).tangent, least_v = kLeast * v.at(0).tangent;
+      const auto energy = [&](const Complement& at) {
+        const double eu = strain[0][i] + at.u, ev = strain[1][i] + at.v;
+        return u.at(eu).energy + v.at(ev).energy + k * eu * ev +
+               lu * at.u * (1 + 0.5 * kRise * at.u) + lv * at.v * (1 + 0.5 * kRise * at.v);
+      };
       Complement c{0, 0};
       StressCurve::Response ru = u.at(strain[0][i]), rv = v.at(strain[1][i]);
       for (int step = 0; step < kMost; ++step) {
         const double eu = strain[0][i] + c.u, ev = strain[1][i] + c.v;
-        // A curve that yields in tension has no tangent to divide by; it does not buckle there.
-        const double mu = std::max(ru.tangent, kLeast * linear_u) + kRise * lu;
-        const double mv = std::max(rv.tangent, kLeast * linear_v) + kRise * lv;
+        const double mu = std::max(ru.tangent, least_u) + kRise * lu;
+        const double mv = std::max(rv.tangent, least_v) + kRise * lv;
         const double qu = ru.stress + k * ev + lu * (1 + kRise * c.u) - mu * c.u - k * c.v;
         const double qv = rv.stress + k * eu + lv * (1 + kRise * c.v) - k * c.u - mv * c.v;
-        const Complement next = complement(mu, mv, k, qu, qv);
+        Complement next = complement(mu, mv, k, qu, qv);
+        if (next.u == c.u && next.v == c.v) break;
+        // The step of a bent curve may go too far.
+        const double now = energy(c);
+        for (int n = 0; n < kHalvings && energy(next) > now; ++n)
+          next = {0.5 * (c.u + next.u), 0.5 * (c.v + next.v)};
         const double moved = std::max(std::abs(next.u - c.u), std::abs(next.v - c.v));
         c = next;
-        if (moved == 0) break;
         ru = u.at(strain[0][i] + c.u), rv = v.at(strain[1][i] + c.v);
         if (moved < 1e-14) break;
       }

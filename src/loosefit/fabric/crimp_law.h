@@ -4,7 +4,8 @@
 
 namespace loosefit::fabric {
 
-/// Yarns that buckle in waves finer than the mesh (docs/decisions/0017-cloth-that-buckles-below-the-mesh.md).
+/// Yarns that buckle in waves finer than the mesh
+/// (docs/decisions/0017-cloth-that-buckles-below-the-mesh.md).
 ///
 /// Compressed cloth buckles in waves of millimetres and then carries next to nothing; a flat
 /// triangle of a coarse mesh cannot. Crimp c ≥ 0 is the part of the Green strain that a wave below
@@ -16,9 +17,9 @@ namespace loosefit::fabric {
 ///
 /// B bending rigidity of the direction [N m], h = 2 √(A/√3) the edge of an equilateral triangle of
 /// flat area A [m]. 3/2 is the slope of the elastica: its force rises by Δ/2 with the shortening Δ,
-/// the stress S = force/λ by 3Δ/2. As a minimum of a jointly convex function w is convex and C¹
-/// wherever w_el is convex. In tension it is w_el. It vanishes with h. Sources: Choi and Ko 2002;
-/// Chen et al. 2021; tension field theory (Steigmann 1990).
+/// the stress S = force/λ by 3Δ/2, to the first order. As a minimum of a jointly convex function w
+/// is convex and C¹ wherever w_el is convex. In tension it is w_el. Crimp vanishes with h. Sources:
+/// Choi and Ko 2002; Chen et al. 2021; tension field theory (Steigmann 1990).
 struct CrimpLaw {
   static constexpr double kEuler = 39.478417604357434;  ///< 4π²
   static constexpr double kRise = 1.5;                  ///< d(σ/σ_c)/dc of the elastica
@@ -26,9 +27,9 @@ struct CrimpLaw {
   /// Euler's load [N/m] of a wave one edge long in cloth of rigidity B [N m] and flat area A [m²].
   static double euler_load(double rigidity, double area);
 
-  StressCurve u, v;           ///< w_u of the weft, w_v of the warp
-  double coupling = 0;        ///< C_uv [N/m]
-  bool is_linear = true;      ///< neither direction has a measured curve
+  StressCurve u, v;                   ///< w_u of the weft, w_v of the warp
+  double coupling = 0;                ///< C_uv [N/m]
+  bool is_linear = true;              ///< neither direction has a measured curve
   double linear_u = 0, linear_v = 0;  ///< C_uu, C_vv where both are linear [N/m]
 
   struct Rows {

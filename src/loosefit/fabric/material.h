@@ -14,13 +14,13 @@ struct CurvePoint {
 /// Measured or published constants of one fabric, SI (docs/theory/materials.md 7).
 struct Material {
   std::string name;
-  std::string source;             ///< where the numbers come from
-  double areal_density = 0.12;    ///< w, areal density [kg/m²]
-  double thickness = 0.0005;      ///< [m]; half of it is the contact offset
-  double stiffness_warp = 2000;   ///< K_v, membrane [N/m]; with a curve: its initial slope
-  double stiffness_weft = 2000;   ///< K_u [N/m]
-  double poisson = 0.15;          ///< ν of the membrane (geometric mean of ν_uv, ν_vu) [–]
-  double stiffness_shear = 40;    ///< G, against trellis shear [N/m per rad]
+  std::string source;            ///< where the numbers come from
+  double areal_density = 0.12;   ///< w, areal density [kg/m²]
+  double thickness = 0.0005;     ///< [m]; half of it is the contact offset
+  double stiffness_warp = 2000;  ///< K_v, membrane [N/m]; with a curve: its initial slope
+  double stiffness_weft = 2000;  ///< K_u [N/m]
+  double poisson = 0.15;         ///< ν of the membrane (geometric mean of ν_uv, ν_vu) [–]
+  double stiffness_shear = 40;   ///< G, against trellis shear [N/m per rad]
   /// Measured laws that replace the stiffness of their direction (stress_curve.h); empty: linear.
   std::vector<CurvePoint> curve_warp, curve_weft, curve_shear;
   double bending_warp = 4.41e-6;  ///< B_v [N m]

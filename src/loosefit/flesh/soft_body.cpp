@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 
 #include "loosefit/base/build_id.h"
 #include "loosefit/base/disk_cache.h"
@@ -61,6 +62,18 @@ Overlaps overlaps_after(const body::Body& body, const Overlaps& before,
       overlaps.emplace_back(a, b);
   std::sort(overlaps.begin(), overlaps.end());
   return overlaps;
+}
+
+/// Its name and what it can do, as Linux tells it.
+const std::string& processor() {
+  static const std::string kName = [] {
+    std::string found;
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line) && !line.empty();)
+      if (line.starts_with("model name") || line.starts_with("flags")) found += line;
+    return found;
+  }();
+  return kName;
 }
 
 template <class Values>
@@ -189,7 +202,8 @@ SoftBody::Way SoftBody::led_to(const body::Posture& posture, const body::Body& s
   const Overlaps overlaps = overlaps_of(stiff);
   if (overlaps.empty()) return {{posture, {}, {}}, true};
   const auto from = [&](const CachedDisplacement& start, double margin) {
-    Way way{led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, margin), progress)};
+    Way way{
+        led_from(start, posture, stiff, patch_round(stiff.surface, overlaps, margin), progress)};
     way.is_free = is_free(overlaps_after(moved(stiff, way.there), overlaps, way.there.vertex));
     return way;
   };
@@ -211,26 +225,30 @@ std::optional<SoftBody::Way> SoftBody::read_way(const std::string& bytes,
   const std::size_t n = bytes.size() / kOne;
   Way way{{posture, std::vector<int>(n), std::vector<Vec3>(n)}, bytes[0] == '1'};
   std::memcpy(way.there.vertex.data(), bytes.data() + 1, n * sizeof(int));
-  std::memcpy(static_cast<void*>(way.there.moved.data()), bytes.data() + 1 + n * sizeof(int), n * sizeof(Vec3));
+  std::memcpy(static_cast<void*>(way.there.moved.data()), bytes.data() + 1 + n * sizeof(int),
+              n * sizeof(Vec3));
   return way;
 }
 
 std::string SoftBody::key_of(const body::Posture& posture, const body::Body& stiff,
                              const CachedDisplacement& start) const {
-  std::string all = "flesh " + build_id();
+  // Kernels of linear algebra are chosen by the processor.
+  std::string all = "flesh " + build_id() + processor();
   for (double body::Posture::*number : body::kPostureNumbers)
     for (const body::Posture* p : {&start.posture, &posture})
       all += bytes_of(std::array{p->*number});
   for (const std::vector<Vec3>* field : {&rest_, &stiff.surface.vertices, &start.moved})
     all += bytes_of(*field);
-  return sha256_hex(all += bytes_of(start.vertex));
+  all += bytes_of(start.vertex);
+  all += bytes_of(stiff.surface.triangles);
+  return sha256_hex(all += bytes_of(stiff.segment));
 }
 
 body::Body SoftBody::made(const body::Posture& posture, Progress* progress) {
   body::Body stiff = as_built(posture);
   const CachedDisplacement& start = nearest(posture);
   if (turn_between(start.posture, posture) == 0) return moved(std::move(stiff), start);
-  const bool is_kept = !disk_cache::folder().empty();
+  const bool is_kept = !disk_cache::folder().empty() && !build_id().empty();
   const std::string key = is_kept ? key_of(posture, stiff, start) : std::string();
   std::optional<Way> way;
   if (const auto bytes = is_kept ? disk_cache::load(key) : std::nullopt)

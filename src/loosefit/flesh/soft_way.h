@@ -10,7 +10,7 @@ namespace loosefit::flesh {
 /// A person on the way from one posture to another. Flesh is led to stops on the way
 /// (SoftBody::in), at most 0.5 rad apart, and gives way in between as much as between the two next
 /// to it: for movements, on whose way nothing is measured, and which ask for many postures close
-/// together. Skin may overlap there by what that is off, a millimetre.
+/// together. Skin may overlap there by what that is off.
 class SoftWay {
  public:
   SoftWay(std::shared_ptr<SoftBody> person, const body::Posture& from, const body::Posture& to);

@@ -6,7 +6,7 @@
 namespace loosefit::garment {
 namespace {
 
-constexpr int kPieces = 48;             // along an edge
+constexpr int kPieces = 48;  // along an edge
 /// The weight of a tape, along the edge: it is part of the garment, not a thing fixed to it.
 void add_mass(Garment& g, int panel, int edge, double mass) {
   for (const Garment::EdgeChain& chain : g.edge_chains) {

@@ -332,7 +332,8 @@ std::set<std::string> read_material_constants(ConfigReader& table, scenario::Mat
   if (const auto value = table.optional_number(kRetiredConstant, {1e-3, 1, "a fraction"},
                                                "of earlier files, without effect");
       value && *value < 1)
-    card.notes.push_back(std::string(kRetiredConstant) + " has no effect: compressed cloth buckles");
+    card.notes.push_back(std::string(kRetiredConstant) +
+                         " has no effect: compressed cloth buckles");
   for (const std::string& key : set) {
     const auto conversion = converted.find(key);
     card.how[key] = conversion == converted.end() ? "" : conversion->second;

@@ -88,9 +88,8 @@ void read_own_constants(ConfigReader& table, scenario::MaterialCard& card) {
   // did so without `given`, and knew neither title nor source.
   std::vector<std::string> known = material_keys();
   known.emplace_back(kRetiredConstant);
-  const std::vector<std::string> given =
-      table.choices("given", {}, known,
-                    "of a resolved scenario: the constants that the scenario itself gave");
+  const std::vector<std::string> given = table.choices(
+      "given", {}, known, "of a resolved scenario: the constants that the scenario itself gave");
   const bool has_all = std::ranges::all_of(material_constants(), [&](const MaterialConstant& c) {
     return set.count(c.key) || may_be_unstated(c);  // later than the others
   });

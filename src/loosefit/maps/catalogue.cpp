@@ -25,17 +25,10 @@ std::vector<std::string> names_of(bool (*wanted)(const MapDefinition&)) {
 
 const std::vector<MapDefinition>& map_catalogue() {
   static const std::vector<MapDefinition> kMaps = {
-      strain_map(),
-      trellis_shear_map(),
-      principal_strain_map(),
-      distance_map(),
-      angular_deviation_map(),
-      crimp_map(),
-      pressure_map(),
-      orientation_map(),
-      gap_map(),
-      slip_map(),
-      orientation_error_map(),
+      strain_map(),   trellis_shear_map(),     principal_strain_map(),
+      distance_map(), angular_deviation_map(), crimp_map(),
+      pressure_map(), orientation_map(),       gap_map(),
+      slip_map(),     orientation_error_map(),
   };
   return kMaps;
 }

@@ -23,9 +23,9 @@ std::vector<ClothStrain> cloth_strains(const garment::Garment& garment,
     for (int c = 0; c < 2; ++c) {
       const double seen = s.shape.col(c).norm();
       const double yarn = std::sqrt(seen * seen + 2 * states[t].crimp[c]);
-      if (!(seen > 0) || !(states[t].crimp[c] > 0)) continue;
-      s.yarns.col(c) *= yarn / seen;
+      if (!(states[t].crimp[c] > 0)) continue;
       s.crimp[c] = 1 - seen / yarn;
+      if (seen > 0) s.yarns.col(c) *= yarn / seen;
     }
   }
   return strains;

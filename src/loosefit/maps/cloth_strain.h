@@ -14,11 +14,12 @@ struct ClothStrain {
   geometry::DeformationGradient shape;
   /// The same with columns as long as the yarns, waves drawn straight: what cloth bears.
   geometry::DeformationGradient yarns;
-  Vec2 crimp = Vec2::Zero();  ///< share of the length of weft and warp that lies in such waves, 0 … 1
-  double wavelength = 0;      ///< of the waves, the edge of an equilateral triangle of its area [m]
+  Vec2 crimp =
+      Vec2::Zero();       ///< share of the length of weft and warp that lies in such waves, 0 … 1
+  double wavelength = 0;  ///< of the waves, the edge of an equilateral triangle of its area [m]
 };
 
-/// Of every triangle; NaN for one without flat area.
+/// Of every triangle. \throws GeometryError for one without flat area.
 std::vector<ClothStrain> cloth_strains(const garment::Garment& garment,
                                        const std::vector<Vec3>& positions,
                                        const fabric::Material& material);

@@ -16,8 +16,7 @@ void require_input(const MapDefinition& map, const MapInput& input) {
                            map.name + "' is made of",
                        "it was made by an earlier version: make it again");
   if (map.needs_material && !input.material)
-    throw InvalidInput("the map '" + map.name +
-                       "' needs the material of the cloth");
+    throw InvalidInput("the map '" + map.name + "' needs the material of the cloth");
   if (map.needs_postures && (!input.reference || !input.states || input.states->empty()))
     throw InvalidInput("the map '" + map.name + "' needs another posture");
 }

@@ -44,7 +44,6 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const geometry::DeformationGradient& f = strains[t].yarns;
     const TriangleStrain strain = triangle_strain(f);
-    if (!std::isfinite(strain.warp)) continue;  // no flat area
     const double area = geometry::flat_area(garment.triangle_uv[t]);
     total += area;
     const bool warp = add(range.warp, strain.warp, area), weft = add(range.weft, strain.weft, area);
@@ -82,7 +81,6 @@ std::vector<TornRegion> torn_regions(const garment::Garment& garment,
   const bool parted = body->segment.size() == body->surface.vertices.size();
   for (std::size_t t = 0; t < strains.size(); ++t) {
     const TriangleStrain& strain = strains[t];
-    if (!std::isfinite(strain.warp)) continue;  // no flat area
     const Triangle& c = garment.triangles[t];
     const Vec3 middle = (positions[c[0]] + positions[c[1]] + positions[c[2]]) / 3;
     const int region = parted ? static_cast<int>(body::region_of(body.regions(), body->surface,

@@ -23,8 +23,7 @@ std::vector<double> VertexReader::values(const MapArray& array) {
 }
 
 std::vector<double> VertexReader::of(ReadCloth read) {
-  if (!strains_)
-    strains_ = cloth_strains(input_.garment, input_.positions, *input_.material);
+  if (!strains_) strains_ = cloth_strains(input_.garment, input_.positions, *input_.material);
   std::vector<double> per_triangle;
   per_triangle.reserve(strains_->size());
   for (const ClothStrain& cloth : *strains_) per_triangle.push_back(read(cloth, kGrain));

@@ -104,7 +104,9 @@ std::pair<CurveChain, CurveChain> CurveChain::cut(double arc) const {
       if (std::abs(off) < kExact) break;
       (off < 0 ? low : high) = t;
       const double newton = t - off / curve_derivative(curves[i], a, knots[i], t).norm();
-      t = newton > low && newton < high ? newton : 0.5 * (low + high);
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      if (next == t) break;  // no number lies between
+      t = next;
     }
     const auto [first, second] = split_curve(curves[i], a, knots[i], t);
     after.start = curve_point(curves[i], a, knots[i], t);

@@ -27,14 +27,14 @@ inline MapDefinition crimp_map() {
                 .map = "crimp",
                 .decimals = 1,
                 .percent = true},
-      .meaning = "Share of the yarns' length that lies in waves finer than the mesh, of weft or "
-                 "warp, whichever is more: fine wrinkles of compressed cloth that no triangle "
-                 "shows. A strain sensor there is slack, a board lies on waves.",
+      .meaning =
+          "Share of the yarns' length that lies in waves finer than the mesh, of weft or "
+          "warp, whichever is more: fine wrinkles of compressed cloth that no triangle "
+          "shows. A strain sensor there is slack, a board lies on waves.",
       .formula = "1 − |F d| / λ, λ the stretch of the yarn, d = u or v",
       .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
-      .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
-        return cloth.crimp.maxCoeff();
-      }),
+      .read =
+          ReadCloth([](const ClothStrain& cloth, const Vec2&) { return cloth.crimp.maxCoeff(); }),
       .metrics = {{"crimp", "share of length in waves finer than the mesh", OverFootprint::mean,
                    OverStates::reference}}};
   MapArray angle{
@@ -48,8 +48,8 @@ inline MapDefinition crimp_map() {
       .meaning = "Root mean square slope of the waves that the crimp of both yarns makes.",
       .formula = "θ = √(2 (c_weft + c_warp))",
       .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
-      .read = ReadCloth(
-          [](const ClothStrain& cloth, const Vec2&) { return crimp_angle(cloth.crimp); }),
+      .read =
+          ReadCloth([](const ClothStrain& cloth, const Vec2&) { return crimp_angle(cloth.crimp); }),
       .in_unit = in_degrees};
   MapArray amplitude{
       .style = {.array = "crimp_amplitude_mm",
@@ -59,8 +59,9 @@ inline MapDefinition crimp_map() {
                 .map = "crimp-amplitude",
                 .pictured = false,
                 .companion = true},
-      .meaning = "Amplitude of sine waves one mesh edge long that hide the crimp: at most so far "
-                 "does the cloth stand off its triangle.",
+      .meaning =
+          "Amplitude of sine waves one mesh edge long that hide the greater crimp: about so far "
+          "does the cloth stand off its triangle.",
       .formula = "(h/π) √c, h the edge of the mesh",
       .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
       .read = ReadCloth([](const ClothStrain& cloth, const Vec2&) {
@@ -75,10 +76,11 @@ inline MapDefinition crimp_map() {
                 .map = "angular-deviation-total",
                 .pictured = false,
                 .companion = true},
-      .meaning = "Angle between the garment's normal and the body's with the slope of the waves "
-                 "below the mesh: what a point of the cloth turns by, not a board that bridges "
-                 "the waves.",
-      .formula = "√(AD² + θ²), θ the slope of the waves",
+      .meaning =
+          "Angle between the garment's normal and the body's with the slope of the waves "
+          "below the mesh: what a point of the cloth turns by, not a board that bridges "
+          "the waves.",
+      .formula = "√(AD² + θ²), θ² the mean of the triangles round the point",
       .source = "docs/decisions/0017-cloth-that-buckles-below-the-mesh.md",
       .read = ReadField(deviation_with_crimp),
       .in_unit = in_degrees};

@@ -26,7 +26,8 @@ inline MapDefinition strain_map() {
           "the map crimp shows these, and here the yarn keeps its own small compression. Free of "
           "the mesh's edge directions. Under a sensor it is read along the sensor's own "
           "direction.",
-      .formula = "|F v| − 1, F = ∂x/∂(u, v) from pattern (weft u, warp v) to space, waves drawn straight",
+      .formula =
+          "|F v| − 1, F = ∂x/∂(u, v) from pattern (weft u, warp v) to space, waves drawn straight",
       .source = "docs/theory/sensor_metrics.md 6",
       .read = ReadCloth([](const ClothStrain& cloth, const Vec2& along) {
         return strain_along(cloth.yarns, along);
