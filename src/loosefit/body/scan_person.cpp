@@ -206,7 +206,10 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
   RegisteredPerson registered = register_person(model, skin);
   if (registered.error.median <= kMostOffTold.median && registered.error.p95 <= kMostOffTold.p95)
     require_whole_person(registered, options);
-  if (hides_neck(registered)) throw hidden_neck(registered, options);
+  if (hides_neck(registered)) {
+    require_whole_person(registered, options);  // the stub under a chin is as wide as hair
+    throw hidden_neck(registered, options);
+  }
   const double off = registered.stand_off.share;
   if (!(registered.error.median <= kMostOff.median && registered.error.p95 <= kMostOff.p95)) {
     if (off > kMostStandOff && registered.of_model.median <= kMostOffClothed)
