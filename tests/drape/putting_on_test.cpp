@@ -6,6 +6,10 @@
 #include <functional>
 #include <random>
 
+#include "loosefit/drape/openings.h"
+#include "loosefit/garment/assemble.h"
+#include "support/placed_top.h"
+
 namespace loosefit::drape {
 namespace {
 
@@ -264,6 +268,28 @@ TEST(PuttingOn, WhatNobodyStatesIsNotJudgedUnlessItPassesAnyway) {
   EXPECT_EQ(possible(sleeves, cloth(0.1, 0.1), no_hands), std::nullopt);
   EXPECT_EQ(putting_on(sleeves, no_hands, cloth(0.1, 0.1)).reasons().size(), 1u);
   EXPECT_EQ(possible(sleeves, cloth(0.1, 0.1), {}), std::nullopt) << "a body without joints";
+}
+
+// Cuffs of pattern files, down to those that no hand goes through, are asked; gaps beside them are
+// not.
+TEST(PuttingOn, NarrowCuffsOfSewnSleevesAreOpeningsForArms) {
+  for (const double cuff : {0.11, 0.05, 0.035, 0.025}) {
+    testing_support::PlacedTop top;
+    top.cuff = cuff;
+    pattern::Pattern pattern = top.pattern();
+    for (const bool labelled : {true, false}) {
+      for (pattern::Panel& panel : pattern.panels)
+        if (panel.name.find("sleeve") != std::string::npos) panel.label = labelled ? "arm" : "";
+      const garment::Garment sewn = garment::assemble(pattern, 0.02, fabric::Material{});
+      int arms = 0;
+      for (const Opening& o : garment_openings(sewn, pattern))
+        if (o.use == OpeningUse::left_arm || o.use == OpeningUse::right_arm) {
+          ++arms;
+          EXPECT_NEAR(o.girth, 2 * cuff, 0.01);
+        }
+      EXPECT_EQ(arms, labelled || 2 * cuff > 0.08 ? 2 : 0) << cuff << ' ' << labelled;
+    }
+  }
 }
 
 // A rim along drawn directions, drawn out by drawn shares.

@@ -31,6 +31,7 @@ struct RegisteredPerson {
   StandOff stand_off;          ///< before the shift, too
   RegistrationError error;
   std::vector<MissingLimb> missing;  ///< the person has BodyParameters::stumps there
+  std::vector<ShortFoot> short_feet;  ///< whose forefoot is the model's
   bool hands_left_out = false;  ///< one is missing in the scan or held another way: neither counted
 };
 

@@ -150,50 +150,39 @@ Spread spread_of_all(const geometry::TriangleMesh& mesh) {
   return spread_of(mesh, [](const Vec3&) { return true; });
 }
 
-/// The coordinate below which half of the skin lies, of triangles by middle and area.
-double median(std::vector<std::pair<Vec3, double>> skin, int axis) {
-  std::ranges::sort(skin,
-                    [&](const auto& a, const auto& b) { return a.first[axis] < b.first[axis]; });
+/// The coordinate below which half of the skin lies.
+double median(const geometry::TriangleMesh& mesh, int axis) {
+  std::vector<std::pair<double, double>> skin;  // of triangles: middle, area
   double half = 0, sum = 0;
-  for (const auto& [middle, area] : skin) half += area / 2;
-  for (const auto& [middle, area] : skin)
-    if ((sum += area) >= half) return middle[axis];
-  return 0;
-}
-
-/// Of the trunk alone, which lies alike if an arm is missing or held another way.
-Spread spread_of_trunk(const geometry::TriangleMesh& mesh) {
-  constexpr double kRound = 0.13, kLow = 0.48, kHigh = 0.66;  // shares of the stature
-  const Box box = box_of(mesh.vertices);
-  const double height = box.upper.z() - box.lower.z();
-  const auto at_trunk = [&](const Vec3& p) {
-    const double level = (p.z() - box.lower.z()) / height;
-    return level > kLow && level < kHigh;
-  };
-  std::vector<std::pair<Vec3, double>> skin;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[std::size_t(t[0])], &b = mesh.vertices[std::size_t(t[1])],
                &c = mesh.vertices[std::size_t(t[2])];
-    if (at_trunk((a + b + c) / 3))
-      skin.emplace_back((a + b + c) / 3, geometry::triangle_area(a, b, c));
+    skin.emplace_back(((a + b + c) / 3)[axis], geometry::triangle_area(a, b, c));
+    half += skin.back().second / 2;
   }
-  const Vec3 middle(median(skin, 0), median(skin, 1), 0);
-  return spread_of(mesh, [&](const Vec3& p) {
-    return at_trunk(p) && (p - middle).head<2>().norm() < kRound * height;
-  });
+  std::ranges::sort(skin);
+  for (const auto& [middle, area] : skin)
+    if ((sum += area) >= half) return middle;
+  return 0;
+}
+
+/// Of what is near the middle, legs and trunk, which lie alike if an arm is missing or held another
+/// way.
+Spread spread_of_core(const geometry::TriangleMesh& mesh) {
+  constexpr double kRound = 0.13;  // of the stature
+  const Box box = box_of(mesh.vertices);
+  const double radius = kRound * (box.upper.z() - box.lower.z());
+  const Eigen::Vector2d middle(median(mesh, 0), median(mesh, 1));
+  return spread_of(mesh, [&](const Vec3& p) { return (p.head<2>() - middle).norm() < radius; });
 }
 
 /// Shoulders and arms are wider than the chest is deep: what spreads most comes to lie along x.
 void turn_across(geometry::TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
   constexpr double kStraight = 5;  // that a person may stand askew [degrees]
-  constexpr double kOneArm = 30;   // that a single arm, held forward, turns the whole by
   const double angle = degrees(spread_of_all(mesh).angle);
   if (std::abs(angle) < kStraight) return;
-  // A round trunk says nothing.
-  if (const Spread trunk = spread_of_trunk(mesh);
-      std::abs(angle) < kOneArm && trunk.is_outstanding &&
-      std::abs(degrees(trunk.angle)) < kStraight)
-    return;
+  const Spread core = spread_of_core(mesh);
+  if (core.is_outstanding && std::abs(degrees(core.angle)) < kStraight) return;
   if (std::abs(angle) > 90 - kStraight) {
     turn(mesh, turned, about_z(0, 1));
     warnings.push_back("the surface is wider along depth than along x: turned by 90 degrees");

@@ -49,6 +49,11 @@ bool is_cut_hole(const Opening& opening, const garment::Garment& garment) {
       });
 }
 
+/// Whether two openings are as wide, as those of a pair are.
+bool are_alike(const Opening& a, const Opening& b) {
+  return std::abs(a.girth - b.girth) < kAlike * std::max(a.girth, b.girth);
+}
+
 /// Label that most vertices' pieces have.
 std::string panel_label(const std::vector<int>& loop, const garment::Garment& garment,
                         const pattern::Pattern& pattern) {
@@ -223,7 +228,7 @@ class Uses {
         const Opening &a = all_[l], &b = all_[r];
         if (std::abs(beside(l) + beside(r)) < near &&
             std::abs(a.placed.z() - b.placed.z()) < near &&
-            std::abs(a.girth - b.girth) < kAlike * std::max(a.girth, b.girth))
+            are_alike(a, b))
           pairs_.push_back({l, r});
       }
     const auto higher = [this](int a, int b) { return all_[a].placed.z() > all_[b].placed.z(); };
@@ -241,6 +246,30 @@ class Uses {
   std::vector<Pair> pairs_;       ///< the highest first
   bool open_front_ = false;
 };
+
+/// Drops holes of unknown use that no hand goes through, but for cuffs: of a piece of cloth just two
+/// that are alike, beside the middle, left and right, at edges of pieces for arms or legs.
+void drop_small(std::vector<Opening>& openings, const garment::Garment& garment,
+                const pattern::Pattern& pattern) {
+  std::map<int, std::vector<const Opening*>> cuffs;  // by piece of cloth
+  double sum = 0;
+  for (const Opening& o : openings) {
+    sum += o.placed.x();
+    const std::string label = panel_label(o.loop, garment, pattern);
+    if (!o.is_cut_hole && o.girth < kNoHand && (label == "arm" || label == "leg"))
+      cuffs[o.piece].push_back(&o);
+  }
+  const double middle = sum / std::max<double>(1, static_cast<double>(openings.size()));
+  std::set<int> kept;  // first vertices
+  for (const auto& [piece, of] : cuffs)
+    if (of.size() == 2 && are_alike(*of[0], *of[1]) &&
+        (of[0]->placed.x() - middle) * (of[1]->placed.x() - middle) < 0)
+      for (const Opening* o : of) kept.insert(o->loop.front());
+  std::erase_if(openings, [&](const Opening& o) {
+    return o.use == kinds::OpeningUse::unknown && o.girth < kNoHand &&
+           !kept.contains(o.loop.front());
+  });
+}
 
 /// Tells by the kind of the garment what its openings are for; false where it does not know.
 bool tell_by_kind(std::vector<Opening>& openings, const garment::Garment& garment,
@@ -482,9 +511,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     openings.push_back(std::move(opening));
   }
   const bool by_kind = !placed.empty() && tell_by_kind(openings, garment, pattern);
-  std::erase_if(openings, [](const Opening& o) {
-    return o.use == kinds::OpeningUse::unknown && o.girth < kNoHand;
-  });
+  drop_small(openings, garment, pattern);
   if (placed.empty() || by_kind) return openings;
   geometry::Box3 box;
   for (const Vec3& p : placed) box.extend(p);
