@@ -327,9 +327,13 @@ class ByWearer {
     if (lines_[kHead].empty() || of.size() > 2 || std::ranges::any_of(of, labelled)) return;
     if (of.size() == 2 && !is_upper_end(*of[0], *of[1])) std::swap(of[0], of[1]);
     LimbNumbers round = limbs_through_openings(of[0]->loop, placed_, lines_);
-    if (of.size() == 2 && round == kRoundNothing) round = as_if_smaller(*of[0]);
+    double share = 1;  // of the heights
+    if (of.size() == 2 && round == kRoundNothing) {
+      round = as_if_smaller(*of[0]);
+      if (round != kRoundNothing) share = share_as_if_smaller();
+    }
     if (of.size() == 2)
-      tell_tube(*of[0], *of[1], round);
+      tell_tube(*of[0], *of[1], round, share);
     else if (is_one_limb(round) && of[0]->use == kinds::OpeningUse::unknown)
       for_limb(of, round, true);
     const bool told = std::ranges::any_of(of, [](const Opening* o) {
@@ -343,11 +347,16 @@ class ByWearer {
       for_limb(of, round_limb(Limb(limb)), false);
   }
 
-  /// The same of a cape that was placed for somebody so tall that it begins above this neck.
-  LimbNumbers as_if_smaller(const Opening& upper) const {
+  /// Of the heights of a pattern that begins above this neck, to begin there.
+  double share_as_if_smaller() const {
     double top = 0;
     for (const Vec3& p : placed_) top = std::max(top, p.z());
-    const double share = kNeck * height_ / std::max(1e-9, top);
+    return kNeck * height_ / std::max(1e-9, top);
+  }
+
+  /// The same of a cape that was placed for somebody so tall that it begins above this neck.
+  LimbNumbers as_if_smaller(const Opening& upper) const {
+    const double share = share_as_if_smaller();
     if (!(share < 1)) return kRoundNothing;
     std::vector<Vec3> smaller = placed_;
     for (int v : upper.loop) smaller[v].z() *= share;
@@ -368,8 +377,9 @@ class ByWearer {
     return p.z() > joints_.at("neck").z() + kFace * height_;
   }
 
-  void tell_tube(Opening& upper, Opening& lower, const LimbNumbers& round) const {
-    const bool above_neck = is_above_neck(lower.placed);
+  void tell_tube(Opening& upper, Opening& lower, const LimbNumbers& round, double share) const {
+    const Vec3& at = lower.placed;
+    const bool above_neck = is_above_neck(Vec3(at.x(), at.y(), share * at.z()));
     if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
       upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
     } else if (round == kRoundNeck && upper.girth < cape_ && !above_neck) {
