@@ -51,9 +51,9 @@ TEST(ScanFrame, AMissingArmTurnsNobody) {
         const Body known = body_model().build(parameters, posture);
         std::vector<char> gone(known.segment.size(), 0);
         for (std::size_t v = 0; v < gone.size(); ++v)
-          gone[v] = known.side[v] == side && (known.segment[v] == Segment::upper_arm ||
-                                              known.segment[v] == Segment::forearm ||
-                                              known.segment[v] == Segment::hand);
+          gone[v] = known.side[v] == side &&
+                    (known.segment[v] == Segment::upper_arm ||
+                     known.segment[v] == Segment::forearm || known.segment[v] == Segment::hand);
         geometry::TriangleMesh mesh = known.surface;
         std::erase_if(mesh.triangles, [&](const Triangle& t) {
           return gone[std::size_t(t[0])] || gone[std::size_t(t[1])] || gone[std::size_t(t[2])];

@@ -324,8 +324,7 @@ std::vector<ShortFoot> short_feet(const BodyModel& model, const PosedPerson& per
     if (limb.parts.back() != Segment::foot || is_gone) continue;
     const Stations stations(model, laid, limb);
     const double ahead = reach_of(stations, seen).ahead;
-    if (ahead < kWholeFoot * stations.toes())
-      found.push_back({limb.side, stations.toes() - ahead});
+    if (ahead < kWholeFoot * stations.toes()) found.push_back({limb.side, stations.toes() - ahead});
   }
   return found;
 }

@@ -227,8 +227,7 @@ class Uses {
       for (int r : right) {
         const Opening &a = all_[l], &b = all_[r];
         if (std::abs(beside(l) + beside(r)) < near &&
-            std::abs(a.placed.z() - b.placed.z()) < near &&
-            are_alike(a, b))
+            std::abs(a.placed.z() - b.placed.z()) < near && are_alike(a, b))
           pairs_.push_back({l, r});
       }
     const auto higher = [this](int a, int b) { return all_[a].placed.z() > all_[b].placed.z(); };
@@ -247,8 +246,8 @@ class Uses {
   bool open_front_ = false;
 };
 
-/// Drops holes of unknown use that no hand goes through, but for cuffs: of a piece of cloth just two
-/// that are alike, beside the middle, left and right, at edges of pieces for arms or legs.
+/// Drops holes of unknown use that no hand goes through, but for cuffs: of a piece of cloth just
+/// two that are alike, beside the middle, left and right, at edges of pieces for arms or legs.
 void drop_small(std::vector<Opening>& openings, const garment::Garment& garment,
                 const pattern::Pattern& pattern) {
   std::map<int, std::vector<const Opening*>> cuffs;  // by piece of cloth

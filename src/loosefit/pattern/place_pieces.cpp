@@ -294,7 +294,8 @@ class Placer {
     double low = HUGE_VAL, high = -HUGE_VAL, lowest_seam = HUGE_VAL;
     for (std::size_t p = 0; p < n_; ++p) {
       const PieceWords w = words_of(pattern_.panels[p]);
-      if (w.leg || w.skirt || w.waist || (facing_[p] != Facing::front && facing_[p] != Facing::back))
+      if (w.leg || w.skirt || w.waist ||
+          (facing_[p] != Facing::front && facing_[p] != Facing::back))
         return false;
       const geometry::Box3 box = box_of(static_cast<int>(p));
       low = std::min(low, box.min().z()), high = std::max(high, box.max().z());
