@@ -34,6 +34,38 @@ TEST(ScanFrame, PersonsWhoStandAskewAreTurned) {
   }
 }
 
+// One arm alone draws the whole aside.
+TEST(ScanFrame, AMissingArmTurnsNobody) {
+  struct Person {
+    double sex, chest, waist, hip;
+  };
+  for (const Person& p : {Person{0, 0.94, 0.78, 1.00}, Person{1, 1.02, 0.90, 1.02}}) {
+    BodySpec spec;
+    spec.sex = p.sex;
+    spec.measurements = {{"chest", p.chest}, {"waist", p.waist}, {"hip", p.hip}};
+    const BodyParameters parameters = fit_body(body_model(), spec).parameters;
+    Posture forward;
+    forward.arm_flexion = radians(70);
+    for (const Posture& posture : {Posture{radians(30), 0, 0}, forward})
+      for (const int side : {1, -1}) {
+        const Body known = body_model().build(parameters, posture);
+        std::vector<char> gone(known.segment.size(), 0);
+        for (std::size_t v = 0; v < gone.size(); ++v)
+          gone[v] = known.side[v] == side &&
+                    (known.segment[v] == Segment::upper_arm ||
+                     known.segment[v] == Segment::forearm || known.segment[v] == Segment::hand);
+        geometry::TriangleMesh mesh = known.surface;
+        std::erase_if(mesh.triangles, [&](const Triangle& t) {
+          return gone[std::size_t(t[0])] || gone[std::size_t(t[1])] || gone[std::size_t(t[2])];
+        });
+        std::vector<std::string> warnings;
+        stand_in_our_frame(mesh, {"scan.obj", "m", "z"}, warnings);
+        EXPECT_NEAR(askew(mesh, known), 0, 1) << p.sex << ' ' << side;
+        EXPECT_EQ(warnings, std::vector<std::string>{}) << p.sex << ' ' << side;
+      }
+  }
+}
+
 TEST(ScanFrame, PersonsWhoStandStraightStayAsTheyAre) {
   const Body known = body_model().build(fit_body(body_model(), {}).parameters, {radians(30), 0, 0});
   geometry::TriangleMesh mesh = known.surface;

@@ -38,6 +38,7 @@ TEST(ScanMissing, APersonWithoutALimbIsTakenWithoutIt) {
   const Case cases[] = {
       {Segment::upper_arm, 0.3, 1, kArmsApart, "left arm"},
       {Segment::forearm, 0.2, -1, {radians(12), 0, 0, 0, 0.66, 0, 1}, "right forearm and hand"},
+      {Segment::forearm, 0.98, 1, kArmsApart, "left hand"},
       {Segment::thigh, 0.75, -1, kArmsApart, "right shank and foot"}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
@@ -53,6 +54,35 @@ TEST(ScanMissing, APersonWithoutALimbIsTakenWithoutIt) {
                                             std::string::npos;
                                    }),
               found->warnings.end());
+    for (const std::string& w : found->warnings) EXPECT_EQ(w.find("askew"), std::string::npos) << w;
+  }
+}
+
+TEST(ScanMissing, AForefootThatIsNotThereIsSaidToBeTheModels) {
+  const BodyParameters twin = support::person(0, 30, 1.66, 0.94, 0.78, 1.00);
+  const Body known = body_model().build(twin, kArmsApart);
+  const auto told = [](const ScanPerson& person, const char* side) {
+    return std::ranges::any_of(person.warnings, [&](const std::string& w) {
+      return w.find(std::string("the ") + side + " foot of the scan ends") != std::string::npos;
+    });
+  };
+  for (const int side : {1, -1}) {
+    const double ankle = known.joints.at(side > 0 ? "ankle_L" : "ankle_R").y();
+    double toes = ankle;
+    for (std::size_t v = 0; v < known.segment.size(); ++v)
+      if (known.segment[v] == Segment::foot && known.side[v] == side)
+        toes = std::min(toes, known.surface.vertices[v].y());
+    std::vector<char> gone(known.segment.size(), 0);
+    for (std::size_t v = 0; v < gone.size(); ++v)
+      gone[v] = known.segment[v] == Segment::foot && known.side[v] == side &&
+                known.surface.vertices[v].y() < ankle + 0.55 * (toes - ankle);
+    geometry::TriangleMesh mesh = support::without(known.surface, gone);
+    support::close(mesh);
+    const auto found = read(mesh);
+    ASSERT_TRUE(found) << side;
+    EXPECT_EQ(lacked(*found), std::vector<std::string>{}) << side;
+    EXPECT_EQ(told(*found, "left"), side > 0);
+    EXPECT_EQ(told(*found, "right"), side < 0);
   }
 }
 

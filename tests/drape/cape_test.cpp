@@ -2,6 +2,7 @@
 
 #include "loosefit/drape/arrange_panels.h"
 #include "loosefit/garment/assemble.h"
+#include "loosefit/pattern/place_pieces.h"
 #include "support/shirt_on_body.h"
 #include "support/simple_patterns.h"
 #include "support/worn_and_settled.h"
@@ -67,6 +68,22 @@ TEST(Cape, ATubeOfThatGirthAtTheWaistIsStillASkirt) {
   const double waist = woman()->measured.at("waist_level");
   const auto x = arranged(poncho(waist, 1.3, 0.65, 0.36));
   EXPECT_LT(highest(x), waist + 0.04);
+}
+
+// A drawing places nothing; what is sewn on the shoulders alone hangs there, and not at the waist.
+TEST(Cape, ATabardOfADrawingComesToTheNeck) {
+  const double hps = woman()->landmarks.at("hps_L").z();
+  for (const double width : {0.45, 0.9, 1.2})
+    for (const double length : {0.5, 0.7, 1.1}) {
+      pattern::Pattern drawn = poncho(0, width, length, 0.22);
+      for (pattern::Panel& panel : drawn.panels) panel.translation = Vec3::Zero();
+      pattern::place_pieces(drawn);
+      EXPECT_NEAR(highest(arranged(drawn)), hps, 0.03) << width << ' ' << length;
+      // Sewn at its sides it is a skirt or a dress, by its names.
+      drawn.stitches = {stitch(0, 1, 1, 6), stitch(0, 6, 1, 1)};
+      pattern::place_pieces(drawn);
+      EXPECT_LT(highest(arranged(drawn)), hps - 0.1) << width << ' ' << length;
+    }
 }
 
 TEST(Cape, APonchoHangsOnTheShoulders) {

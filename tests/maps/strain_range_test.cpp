@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "loosefit/drape/rims.h"
 #include "support/wall_and_patch.h"
 
 namespace loosefit::maps {
@@ -72,20 +73,30 @@ std::vector<TornRegion> torn(const garment::Garment& patch, double warp, double 
   return torn_regions(patch, x, material, wall);
 }
 
-TEST(TornRegions, AreStrainedToTwiceTheRangeOrBeyondTheStretchOfAKnit) {
+TEST(TornRegions, AreStrainedBeyondAnyWovenAndBeyondTheStretchOfAKnit) {
   const garment::Garment patch = testing::patch_garment(0.1, 0.01);
   fabric::Material stretchy = knit();
   stretchy.stretch_weft = 1;
-  for (const auto& [warp, weft, of_knit, of_stretchy] : {std::tuple{0.39, 0.0, false, false},
-                                                         {0.41, 0.0, true, true},
-                                                         {0.0, 0.59, false, false},
-                                                         {0.0, 0.61, true, false},
+  for (const auto& [warp, weft, of_knit, of_stretchy] : {std::tuple{0.34, 0.0, false, false},
+                                                         {0.36, 0.0, true, true},
+                                                         {0.0, 0.34, false, false},
+                                                         {0.0, 0.36, true, false},
                                                          {0.0, 0.99, true, false},
                                                          {0.0, 1.01, true, true}}) {
     EXPECT_EQ(torn(patch, warp, weft, knit()).size(), of_knit ? 1u : 0u) << warp << " " << weft;
     EXPECT_EQ(torn(patch, warp, weft, stretchy).size(), of_stretchy ? 1u : 0u)
         << warp << " " << weft;
   }
+  // A short curve is where a test ended, a long one where cloth was seen whole.
+  fabric::Material measured = knit();
+  for (const double end : {0.014, 0.085, 0.34}) {
+    measured.valid_strain_warp = end;
+    EXPECT_TRUE(torn(patch, 0.34, 0, measured).empty()) << end;
+    EXPECT_EQ(torn(patch, 0.36, 0, measured).size(), 1u) << end;
+  }
+  measured.valid_strain_warp = 0.8;
+  EXPECT_TRUE(torn(patch, 0.79, 0, measured).empty());
+  EXPECT_EQ(torn(patch, 0.81, 0, measured).size(), 1u);
   // Of what a card does not state nothing is known.
   EXPECT_TRUE(torn(patch, 3, 3, {}).empty());
 }
@@ -99,7 +110,7 @@ TEST(TornRegions, TakeHalfOfTheClothOfARegionAndMoreThanAFewTriangles) {
   EXPECT_NEAR(most[0].share, 0.7, 0.1);
   EXPECT_FALSE(most[0].is_warp);
   EXPECT_NEAR(most[0].largest, 0.7, 1e-9);
-  EXPECT_NEAR(most[0].limit, 0.6, 1e-12);
+  EXPECT_NEAR(most[0].limit, drape::kTears, 1e-12);
   EXPECT_TRUE(torn(small, 0, 0.7, knit()).empty()) << "16 cm²";
 }
 

@@ -52,6 +52,36 @@ TEST(PieceFacing, ASleeveInOnePieceGoesRoundTheArm) {
   EXPECT_FALSE(told.half_sleeve[2]);
 }
 
+/// Two T of one outline each, sewn along their straight tops, sides and undersides of the sleeves.
+Pattern kimono(double body, double arm, double length, double sleeve) {
+  Pattern pattern;
+  const double b = body / 2, a = b + arm, under = length - sleeve;
+  for (const char* name : {"front", "back"})
+    pattern.panels.push_back(polygon_panel(name, {{-b, 0},
+                                                  {b, 0},
+                                                  {b, under},
+                                                  {a, under},
+                                                  {a, length},
+                                                  {-a, length},
+                                                  {-a, under},
+                                                  {-b, under}}));
+  pattern.stitches = {stitch(0, 4, 1, 4), stitch(0, 1, 1, 7), stitch(0, 2, 1, 6),
+                      stitch(0, 7, 1, 1), stitch(0, 6, 1, 2)};
+  return pattern;
+}
+
+// Its top is longer than its hem, as a hem is longer than a neck.
+TEST(PlacePieces, ATunicOfTwoTStandsAsItIsDrawn) {
+  for (const double body : {0.45, 0.6})
+    for (const double arm : {0.2, 0.45})
+      for (const double length : {0.6, 1.2}) {
+        Pattern pattern = kimono(body, arm, length, 0.2);
+        place_pieces(pattern);
+        for (const Panel& panel : pattern.panels)
+          EXPECT_GT(panel.rotation.col(1).z(), 0.99) << panel.name << ' ' << body << ' ' << arm;
+      }
+}
+
 /// Front, a back in two halves and two sleeves that no name tells a hand of: no known garment.
 Pattern with_back_seam() {
   Pattern pattern;

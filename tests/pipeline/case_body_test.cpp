@@ -132,6 +132,15 @@ TEST(MakeBody, OffersArmsWideApartUnlessADressingPostureWasChosen) {
   EXPECT_FALSE(make_body(chosen).wide_path);
 }
 
+TEST(MakeBody, ArmsAreAsWideApartAsSleevesAreDrawn) {
+  CaseBody body = make_body(usual());
+  for (const auto& [asked, made] : {std::pair{90., 90.}, {70., 70.}, {20., 55.}, {130., 90.}}) {
+    widen(body, radians(asked));
+    EXPECT_NEAR(arm_angle(body.wide_path(0)), made, 3) << asked;
+    EXPECT_NEAR(arm_angle(clone_wearer(body).wide_path(0)), made, 3) << asked;
+  }
+}
+
 /// A wearer whose usual dressing posture leaves a shirt no room: arms hanging straight down.
 CaseBody pinched() {
   CaseBody body = make_body(usual());

@@ -34,6 +34,30 @@ TEST(FitAlong, BodyHasItsMeasuresAtTheirStations) {
   EXPECT_EQ(forearm.asked, 0.5);
 }
 
+// A swollen forearm, left or right: the sleeve is as tight for both, and tighter than for none.
+TEST(FitAlong, AnArmThatIsThickerThanTheOtherCountsOnEitherSide) {
+  const body::Body body = woman();
+  const double elbow = body.measured.at("elbow_length"), wrist = body.measured.at("arm_length");
+  const double along = elbow + 0.4 * (wrist - elbow);
+  const auto girth = [&](const body::Body& of) {
+    const std::vector<StationFit> fits = fit_along({{"arm", along, 1.0, {}}}, of);
+    return fits.size() == 1 ? fits[0].body : 0;
+  };
+  for (const char* side : {"_L", "_R"}) {
+    body::Body swollen = body;
+    const Vec3 from = body.joints.at(std::string("elbow") + side),
+               axis = (body.joints.at(std::string("wrist") + side) - from).normalized();
+    const int sign = side == std::string("_L") ? 1 : -1;
+    for (std::size_t v = 0; v < swollen.segment.size(); ++v) {
+      if (swollen.segment[v] != body::Segment::forearm || swollen.side[v] != sign) continue;
+      Vec3& p = swollen.surface.vertices[v];
+      const Vec3 foot = from + (p - from).dot(axis) * axis;
+      p = foot + 1.2 * (p - foot);
+    }
+    EXPECT_NEAR(girth(swollen), 1.2 * girth(body), 0.02 * girth(body)) << side;
+  }
+}
+
 // Where the trunk has ended there is no body, which is no error.
 TEST(FitAlong, BelowTheCrotchThereIsNoTrunk) {
   body::Body body = woman();
@@ -55,6 +79,8 @@ TEST(FitAlong, SectionsThatGoRoundTheArmsTooAreLeftOut) {
 TEST(FitAlong, LimbsThatABodyHasNotAreLeftOut) {
   body::Body body = woman();
   body.joints.erase("wrist_L");
+  EXPECT_EQ(fit_along({{"arm", 0.3, 1.0, {}}}, body).size(), 1u) << "the right arm";
+  body.joints.erase("wrist_R");
   body.landmarks.erase("hps_L");
   EXPECT_TRUE(fit_along({{"arm", 0.3, 1.0, {}}, {"trunk", 0.4, 1.0, {}}}, body).empty());
 }

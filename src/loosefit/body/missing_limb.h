@@ -22,4 +22,10 @@ struct MissingLimb {
   }
 };
 
+/// A foot of a scan that ends before its toes.
+struct ShortFoot {
+  int side = 0;   ///< +1 the wearer's left, -1 right
+  double by = 0;  ///< length of the model's foot before the end of the scan's [m]
+};
+
 }  // namespace loosefit::body

@@ -17,6 +17,7 @@ constexpr double kLeastHand = 0.025;  // a fist reaches some 4 % beyond the wris
 constexpr double kLeastFoot = 0.03;   // between the end of a leg and the sole
 constexpr double kLeastToes = 0.4;    // of the way from the ankle to the toes: of two legs that
                                       // end alike, the soles are laid where they end
+constexpr double kWholeFoot = 0.75;   // likewise: feet as long for their stature differ by less
 constexpr double kLeastHead = 0.06;   // between the end of the scan and the crown
 constexpr double kNear = 0.05;        // farther off the model's skin the scan tells of no limb
 constexpr double kBehindEnd = 0.005;  // the last skin of a stump is its rounding
@@ -188,6 +189,44 @@ std::size_t step_of(const geometry::TriangleMesh& scan) {
   return std::max<std::size_t>(1, scan.vertices.size() / kScanSamples);
 }
 
+/// A point of the scan, and the vertex of the model that it is nearest to.
+struct Seen {
+  int vertex;
+  Vec3 point;
+};
+
+std::vector<Seen> seen_of(const LaidSkin& laid, const geometry::TriangleMesh& scan) {
+  const double stature = stature_of(scan);
+  const geometry::TriangleMesh mesh{laid.surface, laid.triangles};
+  const geometry::ClosestPointTree tree(mesh);
+  std::vector<Seen> seen;
+  const std::size_t step = step_of(scan);
+  for (std::size_t v = 0; v < scan.vertices.size(); v += step) {
+    const geometry::ClosestPoint c = tree.query(scan.vertices[v], kNear * stature);
+    if (c.triangle < 0) continue;
+    Eigen::Index nearest = 0;
+    c.barycentric.maxCoeff(&nearest);
+    seen.push_back(
+        {laid.triangles[std::size_t(c.triangle)][std::size_t(nearest)], scan.vertices[v]});
+  }
+  return seen;
+}
+
+/// How far the scan reaches along a limb, and along its foot.
+struct Reach {
+  double outwards = 0, ahead = 0;  ///< [m]
+};
+
+Reach reach_of(const Stations& stations, const std::vector<Seen>& seen) {
+  std::vector<double> reached(kStray, 0.0), ahead(kStray, 0.0);
+  for (const Seen& s : seen)
+    if (const int part = stations.part(s.vertex); part >= 0) {
+      reached.push_back(stations.of(part, s.point));
+      if (part == 2) ahead.push_back(stations.ahead(s.point));
+    }
+  return {farthest(reached), farthest(ahead)};
+}
+
 }  // namespace
 
 std::string in_words(const std::vector<MissingLimb>& missing) {
@@ -256,41 +295,38 @@ std::vector<MissingLimb> missing_limbs(const BodyModel& model, const PosedPerson
                                        const geometry::TriangleMesh& scan) {
   const LaidSkin laid = lay(model, person);
   const double stature = stature_of(scan);
-  // What of the model each point of the scan is nearest to.
-  const geometry::TriangleMesh mesh{laid.surface, laid.triangles};
-  const geometry::ClosestPointTree tree(mesh);
-  struct Seen {
-    int vertex;
-    Vec3 point;
-  };
-  std::vector<Seen> seen;
-  const std::size_t step = step_of(scan);
-  for (std::size_t v = 0; v < scan.vertices.size(); v += step) {
-    const geometry::ClosestPoint c = tree.query(scan.vertices[v], kNear * stature);
-    if (c.triangle < 0) continue;
-    Eigen::Index nearest = 0;
-    c.barycentric.maxCoeff(&nearest);
-    seen.push_back(
-        {laid.triangles[std::size_t(c.triangle)][std::size_t(nearest)], scan.vertices[v]});
-  }
+  const std::vector<Seen> seen = seen_of(laid, scan);
   std::vector<MissingLimb> missing;
   const std::vector<Limb> limbs = all_limbs();
   for (const Limb& limb : limbs) {
     const Stations stations(model, laid, limb);
-    std::vector<double> reached(kStray, 0.0), ahead(kStray, 0.0);
-    for (const Seen& s : seen)
-      if (const int part = stations.part(s.vertex); part >= 0) {
-        reached.push_back(stations.of(part, s.point));
-        if (part == 2) ahead.push_back(stations.ahead(s.point));
-      }
-    double reach = farthest(reached);
+    const Reach seen_to = reach_of(stations, seen);
+    double reach = seen_to.outwards;
     const bool toeless =
-        limb.parts.back() == Segment::foot && farthest(ahead) < kLeastToes * stations.toes();
+        limb.parts.back() == Segment::foot && seen_to.ahead < kLeastToes * stations.toes();
     if (reaches(stations, reach, stature) && !toeless) continue;
     if (toeless) reach = std::min(reach, stations.start(2));
     missing.push_back(cut_at(stations, reach, laid, stature));
   }
   return missing;
+}
+
+std::vector<ShortFoot> short_feet(const BodyModel& model, const PosedPerson& person,
+                                  const std::vector<MissingLimb>& missing,
+                                  const geometry::TriangleMesh& scan) {
+  const LaidSkin laid = lay(model, person);
+  const std::vector<Seen> seen = seen_of(laid, scan);
+  std::vector<ShortFoot> found;
+  const std::vector<Limb> limbs = all_limbs();
+  for (const Limb& limb : limbs) {
+    const bool is_gone = std::ranges::any_of(
+        missing, [&](const MissingLimb& m) { return m.of_leg() && m.side == limb.side; });
+    if (limb.parts.back() != Segment::foot || is_gone) continue;
+    const Stations stations(model, laid, limb);
+    const double ahead = reach_of(stations, seen).ahead;
+    if (ahead < kWholeFoot * stations.toes()) found.push_back({limb.side, stations.toes() - ahead});
+  }
+  return found;
 }
 
 }  // namespace loosefit::body

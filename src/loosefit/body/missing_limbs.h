@@ -17,6 +17,12 @@ namespace loosefit::body {
 std::vector<MissingLimb> missing_limbs(const BodyModel& model, const PosedPerson& person,
                                        const geometry::TriangleMesh& scan);
 
+/// Feet that the scan has, without a quarter of the way from the ankle to the toes or more: nobody
+/// dresses a person without a forefoot, so it is the model's. Left before right.
+std::vector<ShortFoot> short_feet(const BodyModel& model, const PosedPerson& person,
+                                  const std::vector<MissingLimb>& missing,
+                                  const geometry::TriangleMesh& scan);
+
 /// Limbs of which the scan shows less than three quarters of the model's skin, hands and feet
 /// aside: grown together with the trunk, hidden, or laid on skin of something else since they are
 /// missing. They end at the shoulder or hip.

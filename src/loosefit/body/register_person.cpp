@@ -449,7 +449,9 @@ RegisteredPerson register_person(const BodyModel& model, const TriangleMesh& sca
       left_out = registration.hands_are_off(person);
     }
   }
+  std::vector<ShortFoot> short_ones = short_feet(model, person, missing, scan);
   RegisteredPerson registered = lay_skin(model, scan, person, std::move(missing));
+  registered.short_feet = std::move(short_ones);
   if (!registered.missing.empty()) {
     mirror_missing_skin(model.data(), registered);
     registered.person.parameters.stumps = std::make_shared<const Stumps>(

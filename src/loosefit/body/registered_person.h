@@ -30,7 +30,8 @@ struct RegisteredPerson {
   RegistrationError of_model;  ///< before the shift: the nearest person of the model
   StandOff stand_off;          ///< before the shift, too
   RegistrationError error;
-  std::vector<MissingLimb> missing;  ///< the person has BodyParameters::stumps there
+  std::vector<MissingLimb> missing;   ///< the person has BodyParameters::stumps there
+  std::vector<ShortFoot> short_feet;  ///< whose forefoot is the model's
   bool hands_left_out = false;  ///< one is missing in the scan or held another way: neither counted
 };
 

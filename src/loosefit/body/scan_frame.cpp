@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
@@ -112,9 +116,15 @@ void stand_up(geometry::TriangleMesh& mesh, const ScanOptions& options,
   }
 }
 
-/// Angle from x to the horizontal direction in which the surface spreads most [rad], −π/2 to π/2:
-/// principal axis of its triangles. 0 where no direction stands out.
-double spread_direction(const geometry::TriangleMesh& mesh) {
+/// Horizontal spread of a surface: the principal axes of its triangles.
+struct Spread {
+  double angle = 0;  ///< from x to the direction in which it spreads most [rad], −π/2 to π/2
+  bool is_outstanding = false;  ///< it spreads clearly more that way than across
+};
+
+/// Of the triangles whose middles `counts` takes.
+Spread spread_of(const geometry::TriangleMesh& mesh,
+                 const std::function<bool(const Vec3&)>& counts) {
   constexpr double kOutstanding = 1.3;  // ratio of the variances along and across
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d moment = Eigen::Matrix2d::Zero();
@@ -122,24 +132,57 @@ double spread_direction(const geometry::TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices[std::size_t(t[0])], &b = mesh.vertices[std::size_t(t[1])],
                &c = mesh.vertices[std::size_t(t[2])];
+    if (!counts((a + b + c) / 3)) continue;
     const double share = geometry::triangle_area(a, b, c);
     const Eigen::Vector2d middle = ((a + b + c) / 3).head<2>();
     mean += share * middle, moment += share * middle * middle.transpose(), area += share;
   }
-  if (!(area > 0)) return 0;
+  if (!(area > 0)) return {};
   mean /= area;
   const Eigen::Matrix2d variance = moment / area - mean * mean.transpose();
   const double sum = variance.trace(), difference = variance(0, 0) - variance(1, 1);
   const double apart = std::hypot(difference, 2 * variance(0, 1));
-  if (!(sum + apart > kOutstanding * (sum - apart))) return difference < 0 ? kPi / 2 : 0;
-  return 0.5 * std::atan2(2 * variance(0, 1), difference);
+  if (!(sum + apart > kOutstanding * (sum - apart))) return {difference < 0 ? kPi / 2 : 0, false};
+  return {0.5 * std::atan2(2 * variance(0, 1), difference), true};
+}
+
+Spread spread_of_all(const geometry::TriangleMesh& mesh) {
+  return spread_of(mesh, [](const Vec3&) { return true; });
+}
+
+/// The coordinate below which half of the skin lies.
+double median(const geometry::TriangleMesh& mesh, int axis) {
+  std::vector<std::pair<double, double>> skin;  // of triangles: middle, area
+  double half = 0, sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.vertices[std::size_t(t[0])], &b = mesh.vertices[std::size_t(t[1])],
+               &c = mesh.vertices[std::size_t(t[2])];
+    skin.emplace_back(((a + b + c) / 3)[axis], geometry::triangle_area(a, b, c));
+    half += skin.back().second / 2;
+  }
+  std::ranges::sort(skin);
+  for (const auto& [middle, area] : skin)
+    if ((sum += area) >= half) return middle;
+  return 0;
+}
+
+/// Of what is near the middle, legs and trunk, which lie alike if an arm is missing or held another
+/// way.
+Spread spread_of_core(const geometry::TriangleMesh& mesh) {
+  constexpr double kRound = 0.13;  // of the stature
+  const Box box = box_of(mesh.vertices);
+  const double radius = kRound * (box.upper.z() - box.lower.z());
+  const Eigen::Vector2d middle(median(mesh, 0), median(mesh, 1));
+  return spread_of(mesh, [&](const Vec3& p) { return (p.head<2>() - middle).norm() < radius; });
 }
 
 /// Shoulders and arms are wider than the chest is deep: what spreads most comes to lie along x.
 void turn_across(geometry::TriangleMesh& mesh, Mat3& turned, std::vector<std::string>& warnings) {
   constexpr double kStraight = 5;  // that a person may stand askew [degrees]
-  const double angle = degrees(spread_direction(mesh));
+  const double angle = degrees(spread_of_all(mesh).angle);
   if (std::abs(angle) < kStraight) return;
+  const Spread core = spread_of_core(mesh);
+  if (core.is_outstanding && std::abs(degrees(core.angle)) < kStraight) return;
   if (std::abs(angle) > 90 - kStraight) {
     turn(mesh, turned, about_z(0, 1));
     warnings.push_back("the surface is wider along depth than along x: turned by 90 degrees");

@@ -238,6 +238,11 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
         "the scan has {}: the person is dressed without; garments hang there, and measures of that "
         "side are those of the other one, where it has them",
         in_words(registered.missing)));
+  for (const ShortFoot& foot : registered.short_feet)
+    made.warnings.push_back(
+        fmt::format("the {} foot of the scan ends {:.2f} m before the toes: the forefoot is the "
+                    "body model's",
+                    foot.side > 0 ? "left" : "right", foot.by));
   if (registered.hands_left_out)
     made.warnings.push_back(
         "a hand is closed or held in another way than the model's: both hands are the "

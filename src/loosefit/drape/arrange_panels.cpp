@@ -26,9 +26,10 @@
 namespace loosefit::drape {
 namespace {
 
-constexpr double kAgrees = 0.03;  ///< a placement so near is kept [m]
-constexpr double kClear = 0.02;   ///< of a panel from the body [m]
-constexpr double kBeyond = 0.03;  ///< of a sleeve from its armhole, along the arm [m]
+constexpr double kAgrees = 0.03;     ///< a placement so near is kept [m]
+constexpr double kStraight = 0.002;  ///< a top whose heights differ by less is straight [m]
+constexpr double kClear = 0.02;      ///< of a panel from the body [m]
+constexpr double kBeyond = 0.03;     ///< of a sleeve from its armhole, along the arm [m]
 constexpr double kFromAxis =
     0.04;                       ///< of a panel of a sleeve from the line of the arm, at least [m]
 constexpr double kStep = 0.01;  ///< by which such a panel is moved outwards [m]
@@ -246,9 +247,17 @@ class Arranger {
   std::optional<double> rise_to_shoulders() const {
     const std::set<int> with_armhole = panels_of(armholes());
     if (with_armhole.empty()) return {};
+    geometry::Box3 box;
+    for (int v = 0; v < g_.vertex_count; ++v)
+      if (with_armhole.count(g_.vertex_panel[v])) box.extend(placed_[v]);
+    const auto beside = [&](int v) {
+      return std::abs(placed_[v].x() - 0.5 * (box.min().x() + box.max().x()));
+    };
+    // Of a top that is straight from hand to hand its middle lies on the shoulders.
     int top = -1;
     for (int v = 0; v < g_.vertex_count; ++v)
-      if (with_armhole.count(g_.vertex_panel[v]) && (top < 0 || placed_[v].z() > placed_[top].z()))
+      if (with_armhole.count(g_.vertex_panel[v]) && placed_[v].z() > box.max().z() - kStraight &&
+          (top < 0 || beside(v) < beside(top)))
         top = v;
     // The shoulder line of the body there.
     const auto& marks = body_->landmarks;
@@ -258,12 +267,9 @@ class Arranger {
     const double tip = 0.5 * (marks.at("acromion_L").z() + marks.at("acromion_R").z());
     const double neck = 0.5 * (marks.at("hps_L").x() - marks.at("hps_R").x());
     const double breadth = 0.5 * (marks.at("acromion_L").x() - marks.at("acromion_R").x());
-    geometry::Box3 box;
-    for (int v = 0; v < g_.vertex_count; ++v)
-      if (with_armhole.count(g_.vertex_panel[v])) box.extend(placed_[v]);
-    const double out = std::abs(placed_[top].x() - 0.5 * (box.min().x() + box.max().x()));
-    const double share = std::clamp((out - neck) / std::max(0.01, breadth - neck), 0.0, 1.2);
-    return hps + share * (tip - hps) - placed_[top].z();
+    const double share =
+        std::clamp((beside(top) - neck) / std::max(0.01, breadth - neck), 0.0, 1.2);
+    return hps + share * (tip - hps) - box.max().z();
   }
 
   /// The highest point of a cape's neck comes to where the neck meets the shoulders.

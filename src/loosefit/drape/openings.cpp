@@ -49,6 +49,11 @@ bool is_cut_hole(const Opening& opening, const garment::Garment& garment) {
       });
 }
 
+/// Whether two openings are as wide, as those of a pair are.
+bool are_alike(const Opening& a, const Opening& b) {
+  return std::abs(a.girth - b.girth) < kAlike * std::max(a.girth, b.girth);
+}
+
 /// Label that most vertices' pieces have.
 std::string panel_label(const std::vector<int>& loop, const garment::Garment& garment,
                         const pattern::Pattern& pattern) {
@@ -222,8 +227,7 @@ class Uses {
       for (int r : right) {
         const Opening &a = all_[l], &b = all_[r];
         if (std::abs(beside(l) + beside(r)) < near &&
-            std::abs(a.placed.z() - b.placed.z()) < near &&
-            std::abs(a.girth - b.girth) < kAlike * std::max(a.girth, b.girth))
+            std::abs(a.placed.z() - b.placed.z()) < near && are_alike(a, b))
           pairs_.push_back({l, r});
       }
     const auto higher = [this](int a, int b) { return all_[a].placed.z() > all_[b].placed.z(); };
@@ -241,6 +245,30 @@ class Uses {
   std::vector<Pair> pairs_;       ///< the highest first
   bool open_front_ = false;
 };
+
+/// Drops holes of unknown use that no hand goes through, but for cuffs: of a piece of cloth just
+/// two that are alike, beside the middle, left and right, at edges of pieces for arms or legs.
+void drop_small(std::vector<Opening>& openings, const garment::Garment& garment,
+                const pattern::Pattern& pattern) {
+  std::map<int, std::vector<const Opening*>> cuffs;  // by piece of cloth
+  double sum = 0;
+  for (const Opening& o : openings) {
+    sum += o.placed.x();
+    const std::string label = panel_label(o.loop, garment, pattern);
+    if (!o.is_cut_hole && o.girth < kNoHand && (label == "arm" || label == "leg"))
+      cuffs[o.piece].push_back(&o);
+  }
+  const double middle = sum / std::max<double>(1, static_cast<double>(openings.size()));
+  std::set<int> kept;  // first vertices
+  for (const auto& [piece, of] : cuffs)
+    if (of.size() == 2 && are_alike(*of[0], *of[1]) &&
+        (of[0]->placed.x() - middle) * (of[1]->placed.x() - middle) < 0)
+      for (const Opening* o : of) kept.insert(o->loop.front());
+  std::erase_if(openings, [&](const Opening& o) {
+    return o.use == kinds::OpeningUse::unknown && o.girth < kNoHand &&
+           !kept.contains(o.loop.front());
+  });
+}
 
 /// Tells by the kind of the garment what its openings are for; false where it does not know.
 bool tell_by_kind(std::vector<Opening>& openings, const garment::Garment& garment,
@@ -298,9 +326,13 @@ class ByWearer {
     if (lines_[kHead].empty() || of.size() > 2 || std::ranges::any_of(of, labelled)) return;
     if (of.size() == 2 && !is_upper_end(*of[0], *of[1])) std::swap(of[0], of[1]);
     LimbNumbers round = limbs_through_openings(of[0]->loop, placed_, lines_);
-    if (of.size() == 2 && round == kRoundNothing) round = as_if_smaller(*of[0]);
+    double share = 1;  // of the heights
+    if (of.size() == 2 && round == kRoundNothing) {
+      round = as_if_smaller(*of[0]);
+      if (round != kRoundNothing) share = share_as_if_smaller();
+    }
     if (of.size() == 2)
-      tell_tube(*of[0], *of[1], round);
+      tell_tube(*of[0], *of[1], round, share);
     else if (is_one_limb(round) && of[0]->use == kinds::OpeningUse::unknown)
       for_limb(of, round, true);
     const bool told = std::ranges::any_of(of, [](const Opening* o) {
@@ -314,11 +346,16 @@ class ByWearer {
       for_limb(of, round_limb(Limb(limb)), false);
   }
 
-  /// The same of a cape that was placed for somebody so tall that it begins above this neck.
-  LimbNumbers as_if_smaller(const Opening& upper) const {
+  /// Of the heights of a pattern that begins above this neck, to begin there.
+  double share_as_if_smaller() const {
     double top = 0;
     for (const Vec3& p : placed_) top = std::max(top, p.z());
-    const double share = kNeck * height_ / std::max(1e-9, top);
+    return kNeck * height_ / std::max(1e-9, top);
+  }
+
+  /// The same of a cape that was placed for somebody so tall that it begins above this neck.
+  LimbNumbers as_if_smaller(const Opening& upper) const {
+    const double share = share_as_if_smaller();
     if (!(share < 1)) return kRoundNothing;
     std::vector<Vec3> smaller = placed_;
     for (int v : upper.loop) smaller[v].z() *= share;
@@ -339,8 +376,9 @@ class ByWearer {
     return p.z() > joints_.at("neck").z() + kFace * height_;
   }
 
-  void tell_tube(Opening& upper, Opening& lower, const LimbNumbers& round) const {
-    const bool above_neck = is_above_neck(lower.placed);
+  void tell_tube(Opening& upper, Opening& lower, const LimbNumbers& round, double share) const {
+    const Vec3& at = lower.placed;
+    const bool above_neck = is_above_neck(Vec3(at.x(), at.y(), share * at.z()));
     if (round == kRoundTrunk || (round == kRoundNeck && upper.of_legs)) {
       upper.use = kinds::OpeningUse::upper, lower.use = kinds::OpeningUse::hem;
     } else if (round == kRoundNeck && upper.girth < cape_ && !above_neck) {
@@ -482,9 +520,7 @@ std::vector<Opening> garment_openings(const garment::Garment& garment,
     openings.push_back(std::move(opening));
   }
   const bool by_kind = !placed.empty() && tell_by_kind(openings, garment, pattern);
-  std::erase_if(openings, [](const Opening& o) {
-    return o.use == kinds::OpeningUse::unknown && o.girth < kNoHand;
-  });
+  drop_small(openings, garment, pattern);
   if (placed.empty() || by_kind) return openings;
   geometry::Box3 box;
   for (const Vec3& p : placed) box.extend(p);

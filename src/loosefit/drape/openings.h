@@ -46,7 +46,8 @@ bool is_upper_end(const Opening& a, const Opening& b);
 /// beside it. Cloth `of_legs` has no neck and no armholes: holes at its sides between its ends are
 /// slits, for nothing. An edge that runs from top to bottom is an open front. A hole cut into a
 /// piece is for nothing where the other openings say without it what they are for. Holes that no
-/// hand goes through (8 cm) are left out, unless the kind knows what they are for.
+/// hand goes through (8 cm) are left out, unless the kind knows what they are for or a pair of them
+/// are the ends of sleeves or legs by the labels of their pieces.
 std::vector<Opening> garment_openings(const garment::Garment& garment,
                                       const pattern::Pattern& pattern);
 

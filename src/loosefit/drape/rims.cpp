@@ -110,7 +110,10 @@ class RimFinder {
 
 }  // namespace
 
-double borne_strain(double valid, double stretch) { return std::max(kFarBeyond * valid, stretch); }
+double borne_strain(double valid, double stretch) {
+  const double stated = std::max(valid, stretch);
+  return stated > 0 ? std::max(stated, kTears) : 0;
+}
 
 double Rim::cut() const { return stretched(0, 0, 0); }
 

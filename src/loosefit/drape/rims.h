@@ -10,12 +10,13 @@
 
 namespace loosefit::drape {
 
-/// So many times the range over which a law was measured it is no law any more [–]: wovens have
-/// torn, and knits are some ten times stiffer there. A choice.
-inline constexpr double kFarBeyond = 2;
+/// Elongation at which the toughest wovens tear [–]: of apparel wovens 10 to 35 % are published
+/// (docs/theory/materials.md 8; recalled). Knits tear later; theirs is no safe yes.
+inline constexpr double kTears = 0.35;
 
-/// Strain that cloth bears, by its valid strain and its stretch, 0 where they are not stated [–]:
-/// kFarBeyond times the first, or the second where that is more.
+/// Strain that cloth bears [–], by its valid strain and its stretch, 0 where they are not stated:
+/// kTears, or what is stated where that is more. The end of a measured curve is where a test
+/// ended, not where the cloth tore. 0 where nothing is stated.
 double borne_strain(double valid, double stretch);
 
 /// The curve that decides how far an opening lets a body pass: the edge of the cloth. Of an edge

@@ -18,7 +18,7 @@ struct DirectionRange {
 };
 
 /// Of warp, weft and trellis shear. Beyond its range a law is extrapolated: a knit is stiffer there
-/// by a factor, a woven breaks.
+/// by a factor.
 struct StrainRange {
   DirectionRange warp, weft, shear;
 

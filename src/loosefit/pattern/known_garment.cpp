@@ -46,7 +46,11 @@ class Knower {
       skirt();
     if (garment_.kind == "skirt")
       for (const std::string& why : top_doubts(pattern_, garment_.pieces)) doubt(why);
-    if (garment_.kind.empty()) return std::move(garment_);
+    if (garment_.kind.empty()) {
+      // What an outline may have been says nothing of the way up it stands.
+      std::ranges::fill(garment_.pieces, KnownPiece{});
+      return std::move(garment_);
+    }
     if (trunks_.size() == 2 && skirts_.size() == 2) skirt_below();
     hood();
     for (const ChainSeam& seam : garment_.seams) {

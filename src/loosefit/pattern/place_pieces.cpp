@@ -25,6 +25,8 @@ constexpr double kBesideHead = 0.14;    ///< of halves of a hood [m]
 constexpr double kFromMiddle = 0.03;    ///< of pieces of one leg [m]
 constexpr double kFromHole = 0.03;      ///< of a sleeve from its armhole [m]
 constexpr double kLeastRise = 0.01;     ///< of a seam that tells which way up a piece lies [m]
+constexpr double kAtTop = 0.25;         ///< of a garment's height: seams on the shoulders are there
+constexpr double kOverNeck = 2.0;       ///< height above everybody's neck [m]
 
 Mat3 about_outside(double angle) {
   return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
@@ -79,6 +81,7 @@ class Placer {
                           "seams that join all pieces",
                           "write the missing seams into the side file, or take these pieces out "
                           "of the pattern there (leave_out)");
+    if (hangs_on_shoulders()) lift_to(kOverNeck);
     set_labels();
     if (known_.kind.starts_with(kOneShoulder)) label_armhole();
     return std::move(notes_);
@@ -282,6 +285,42 @@ class Placer {
     } else {
       lay_flat(p, shift.x(), shift.z());
     }
+  }
+
+  /// Of a tabard or poncho: fronts and backs that are sewn to each other at their tops alone. Its
+  /// opening there is a neck, and nobody's waist.
+  bool hangs_on_shoulders() const {
+    if (!known_.kind.empty()) return false;
+    double low = HUGE_VAL, high = -HUGE_VAL, lowest_seam = HUGE_VAL;
+    for (std::size_t p = 0; p < n_; ++p) {
+      const PieceWords w = words_of(pattern_.panels[p]);
+      if (w.leg || w.skirt || w.waist ||
+          (facing_[p] != Facing::front && facing_[p] != Facing::back))
+        return false;
+      const geometry::Box3 box = box_of(static_cast<int>(p));
+      low = std::min(low, box.min().z()), high = std::max(high, box.max().z());
+    }
+    for (const Stitch& stitch : pattern_.stitches) {
+      if (facing_[stitch.first.panel] == facing_[stitch.second.panel]) continue;
+      for (const Stitch::Side& side : {stitch.first, stitch.second}) {
+        const Panel& panel = pattern_.panels[side.panel];
+        const EdgePath path(panel, side.edge);
+        for (const double t : {0.0, 0.5, 1.0}) {
+          const Vec2 q = path.at(t);
+          const Vec3 at = panel.rotation * Vec3(q.x(), q.y(), 0) + panel.translation;
+          lowest_seam = std::min(lowest_seam, at.z());
+        }
+      }
+    }
+    return std::isfinite(lowest_seam) && lowest_seam > high - kAtTop * (high - low);
+  }
+
+  /// Raises all pieces until the highest comes there.
+  void lift_to(double top) {
+    double high = -HUGE_VAL;
+    for (std::size_t p = 0; p < n_; ++p)
+      high = std::max(high, box_of(static_cast<int>(p)).max().z());
+    for (Panel& panel : pattern_.panels) panel.translation.z() += top - high;
   }
 
   void set_labels() {

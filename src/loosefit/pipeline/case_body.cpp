@@ -52,7 +52,7 @@ body::BodyPath way(const std::shared_ptr<flesh::SoftBody>& person, const body::P
 void ask_of(CaseBody& body, std::shared_ptr<flesh::SoftBody> person, bool offer_wide) {
   body.person = std::move(person);
   body.path = way(body.person, body.from, body.to);
-  body.wide_path = offer_wide ? way(body.person, body::kArmsWide, body.to) : body::BodyPath{};
+  body.wide_path = offer_wide ? way(body.person, body.wide, body.to) : body::BodyPath{};
 }
 
 /// The person as scanned: put on in that posture, without movements of the arms.
@@ -180,6 +180,12 @@ CaseBody clone_wearer(const CaseBody& body) {
   return copy;
 }
 
+void widen(CaseBody& body, double arm_abduction) {
+  if (!body.person || !body.wide_path) return;
+  body.wide.arm_abduction = std::clamp(arm_abduction, body::kArmsWide.arm_abduction, radians(90.0));
+  ask_of(body, body.person, true);
+}
+
 std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after) {
   const std::vector<std::string>& all = after.dressing_warnings;
   return {all.begin() + static_cast<long>(before.dressing_warnings.size()), all.end()};
@@ -196,7 +202,7 @@ drape::Drape put_on(drape::DrapeSession& session, CaseBody& body,
   drape::Drape drape = session.put_on(body.path, body.wide_path, std::move(made));
   if (!drape.report.no_room.empty()) {
     body.path = std::exchange(body.wide_path, {});
-    body.from = body::kArmsWide;
+    body.from = body.wide;
     body.dressing_warnings.push_back(
         "put on with the arms wide apart, since in the usual posture " + drape.report.no_room);
   }

@@ -25,6 +25,7 @@ struct CaseBody {
   /// The way from arms wide apart, for garments that cannot be laid in the usual dressing posture;
   /// empty when another one was chosen, when the arms are as wide already, and for a scan.
   body::BodyPath wide_path;
+  body::Posture wide = body::kArmsWide;     ///< where the wide path begins
   body::Posture from, to;                   ///< of the path, unless as scanned
   std::shared_ptr<flesh::SoftBody> person;  ///< whom all of these ask; null as scanned
   body::BodyParameters parameters;      ///< of the model; of a surface that it is not laid on: none
@@ -46,6 +47,10 @@ CaseBody make_body(const scenario::ScenarioBody& wished, Progress* progress = nu
 /// The same wearer for somebody who asks at the same time as others: what it answers depends on
 /// nothing that they ask.
 CaseBody clone_wearer(const CaseBody& body);
+
+/// Lets the wide path begin with the upper arms so far aside [rad], but no nearer than kArmsWide
+/// and no higher than level, as sleeves cut in one with the trunk are drawn.
+void widen(CaseBody& body, double arm_abduction);
 
 /// Of what putting on `after`, who began as a copy of `before`, has warned since.
 std::vector<std::string> warnings_since(const CaseBody& before, const CaseBody& after);

@@ -70,12 +70,9 @@ class TrunkTape {
   std::vector<std::array<double, 2>> down_;  // length of the tape, height z
 };
 
-/// The left arm, bent as it is; the right one of people who lack a part of the left.
+/// One arm, bent as it is.
 class Arm {
  public:
-  explicit Arm(const body::Body& body)
-      : Arm(body, body::is_beyond_end(body.joints, "hand_L") ? "_R" : "_L") {}
-
   Arm(const body::Body& body, const std::string& side)
       : body_(body),
         shoulder_(body.joints.at("shoulder" + side)),
@@ -119,30 +116,41 @@ bool has_all(const std::map<std::string, Vec3>& places, std::initializer_list<co
                      [&](const char* n) { return places.count(n) > 0; });
 }
 
+/// The arms that are whole; where none is, what there is of both.
+std::vector<Arm> arms_of(const body::Body& body) {
+  std::vector<Arm> arms, parts;
+  if (!(measure(body, "arm_length") > 0 && measure(body, "upper_arm") > 0)) return arms;
+  for (const std::string side : {"_L", "_R"}) {
+    const bool has_joints = body.joints.contains("shoulder" + side) &&
+                            body.joints.contains("elbow" + side) &&
+                            body.joints.contains("wrist" + side);
+    if (!has_joints) continue;
+    (body::is_beyond_end(body.joints, "hand" + side) ? parts : arms).emplace_back(body, side);
+  }
+  return arms.empty() ? parts : arms;
+}
+
 }  // namespace
 
 std::vector<StationFit> fit_along(const std::vector<kinds::FitStation>& stations,
                                   const body::Body& body) {
   std::vector<StationFit> fits;
   std::optional<TrunkTape> trunk;
-  std::optional<Arm> arm;
   if (has_all(body.landmarks, {"hps_L"}) && has_all(body.joints, {"hip_L"})) trunk.emplace(body);
-  if (has_all(body.joints, {"shoulder_L", "elbow_L", "wrist_L"}) &&
-      measure(body, "arm_length") > 0 && measure(body, "upper_arm") > 0)
-    arm.emplace(body);
+  const std::vector<Arm> arms = arms_of(body);
   const double waist = measure(body, "hps_to_waist"), hip = measure(body, "hps_to_hip");
   for (const kinds::FitStation& s : stations) {
     StationFit fit{s.limb, "", s.along, s.garment, 0, s.asked};
     if (s.limb == "trunk" && trunk && waist > 0 && hip > 0) {
       fit.body = trunk->girth(s.along);
       fit.place = nearest_name({{"chest", 0.55 * waist}, {"waist", waist}, {"hip", hip}}, s.along);
-    } else if (s.limb == "arm" && arm) {
-      fit.body = arm->girth(s.along);
-      const double fore = arm->length() - arm->to_elbow();
-      fit.place = nearest_name({{"upper arm", 0.5 * arm->to_elbow()},
-                                {"elbow", arm->to_elbow()},
-                                {"forearm", arm->to_elbow() + 0.35 * fore},
-                                {"wrist", arm->length()}},
+    } else if (s.limb == "arm" && !arms.empty()) {
+      for (const Arm& arm : arms) fit.body = std::max(fit.body, arm.girth(s.along));
+      const double length = arms[0].length(), to_elbow = arms[0].to_elbow();
+      fit.place = nearest_name({{"upper arm", 0.5 * to_elbow},
+                                {"elbow", to_elbow},
+                                {"forearm", to_elbow + 0.35 * (length - to_elbow)},
+                                {"wrist", length}},
                                s.along);
     }
     if (fit.body > 0) fits.push_back(fit);

@@ -22,7 +22,8 @@ struct StationFit {
 /// The girths of the body at the stations of a pattern. Trunk: level sections where a tape down the
 /// back is as long as the station is far down; where they would cut the arms too, and below the
 /// crotch, there is no station. Arm: sections square to it, the one at the elbow halves its bend;
-/// nor is there one where they would cut the trunk too. \param body arms apart; its joints,
+/// nor is there one where they would cut the trunk too. The larger of both arms counts; people who
+/// lack a part of one have the other. \param body arms apart; its joints,
 /// landmarks and measures are read, and what of them is missing leaves out the limb.
 std::vector<StationFit> fit_along(const std::vector<kinds::FitStation>& stations,
                                   const body::Body& body);

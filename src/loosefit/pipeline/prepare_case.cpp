@@ -1,5 +1,6 @@
 #include "loosefit/pipeline/prepare_case.h"
 
+#include "loosefit/drape/cut_on_sleeves.h"
 #include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/case_sewn_parts.h"
 #include "loosefit/pipeline/check_worn.h"
@@ -23,6 +24,10 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   result.scenario.sites = std::move(sewn.sites);
   progress.stage("garment");  // after the stages of a first, coarse drape
   result.garments = mesh_garments(scenario, patterns, sewn.attachments);
+  for (const CaseGarment& garment : result.garments)
+    if (const auto angle =
+            drape::cut_on_sleeve_angle(garment.mesh(), garment.pattern.pattern, result.body.body))
+      widen(result.body, *angle);
   result.putting_on = judge_putting_on(result.garments, scenario, result.body.body);
   placement::check_sites(result.studied().mesh(), result.body.body,
                          scenario.sites);  // before the long part
