@@ -25,7 +25,8 @@ def site_records(sites: Mapping[str, Any], uncovered: Mapping[str, Any]) -> list
 
     Every row has the same keys; None where a site lacks a value.
     """
-    arrays = sorted({key for site in sites.values() for key in site if key not in _SITE_KEYS})
+    arrays = sorted({key for site in sites.values() for key in site if key not in _SITE_KEYS},
+                    key=lambda key: (key.removesuffix("_worst"), key.endswith("_worst")))
     rows = []
     for name, site in sites.items():
         x, y, z = site["position_m"]

@@ -24,7 +24,8 @@ from records import json_lines  # noqa: E402
 
 # Edge length [mm] -> number of drapes.
 PLAN = {20: 8, 14: 8, 10: 8, 7: 4, 5: 3}
-MAPS = ["strain_warp", "strain_weft", "shear_angle_deg", "strain_max", "distance_mm", "angular_deviation_deg"]
+MAPS = ["strain_warp", "strain_weft", "shear_angle_deg", "strain_max", "distance_mm", "angular_deviation_deg",
+        "angular_deviation_total_deg"]
 STATISTICS = ["area_mean", "median", "p95"]
 
 
@@ -34,8 +35,9 @@ def scenario_text(edge_mm, seed):
     text, changed = re.subn(r"edge_length = \S+", f"edge_length = {edge_mm / 1000}", text)
     text, seeded = re.subn(r"seed = \d+", f"seed = {seed}\nstart_perturbation = 0.001\nthreads = 1",
                            text)
-    if changed != 1 or seeded != 1:
-        raise SystemExit("error: examples/reference-shirt.toml: found no edge_length or no seed")
+    text, mapped = re.subn(r"maps = \[", 'maps = ["crimp", ', text)
+    if changed != 1 or seeded != 1 or mapped != 1:
+        raise SystemExit("error: examples/reference-shirt.toml: found no edge_length, no seed or no maps")
     return text
 
 

@@ -25,7 +25,8 @@ MAPS = {"strain_warp": ("strain of warp, 95th percentile", 100, "%", "p95"),
         "shear_angle_deg": ("trellis shear, 95th percentile", 1, "°", "p95"),
         "strain_max": ("strain, largest principal, mean", 100, "%", "area_mean"),
         "distance_mm": ("distance, mean", 1, "mm", "area_mean"),
-        "angular_deviation_deg": ("angular deviation, mean", 1, "°", "area_mean")}
+        "angular_deviation_deg": ("angular deviation, mean", 1, "°", "area_mean"),
+        "angular_deviation_total_deg": ("angular deviation with crimp, mean", 1, "°", "area_mean")}
 LIMIT = 0.10
 
 
