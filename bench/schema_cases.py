@@ -86,8 +86,6 @@ def strangeness(rows):
         middle, spread = order[len(order) // 2], max(order[3 * len(order) // 4] - order[len(order) // 4], 0.05)
         for case, value in known.items():
             score[case] += min(abs(value - middle) / spread, 20)
-        for case in set(figures) - set(known):
-            score[case] += 5  # a figure that is missing or is no number
     return sorted(score, key=score.get, reverse=True)
 
 
