@@ -17,7 +17,7 @@ double gap_behind_waist(const char* back_waist) {
                   "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, back_waist = ") +
       back_waist +
       " }\n[material]\nname = \"paper-cotton\"\n[simulation]\nedge_length = "
-      "0.025\n[donning]\nmovements = []\n");
+      "0.025\n");
   const body::PosedBody& body = result.body.body;
   const Vec3 waist = body->landmarks.at("back_waist");
   const geometry::ClosestPointTree skin(body->surface);
