@@ -46,7 +46,7 @@ TEST_F(JsonOutput, FactsAreDocuments) {
   EXPECT_TRUE(document("version --json")["versions"].contains("loosefit"));
   const Json doctor = document("doctor --json");
   EXPECT_EQ(doctor["can_run"], true);
-  EXPECT_EQ(doctor["checks"].size(), 3u);
+  EXPECT_EQ(doctor["checks"].size(), 4u);
   const Json materials = document("material list --json")["materials"];
   EXPECT_GT(materials.size(), 10u);
   const Json wool = document("material show wool-measured --json");

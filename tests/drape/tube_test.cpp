@@ -24,7 +24,7 @@ TEST_P(TightTube, HasTheStrainAndPressureOfTheClosedForm) {
   m.stiffness_warp = m.stiffness_weft = kStiffness;
   m.poisson = kPoisson;
   m.stiffness_shear = kStiffness / (2 * (1 + kPoisson));
-  m.bending_warp = m.bending_weft = 1e-9;
+  m.bending_warp = m.bending_weft = 1e-7;  // under 1 mPa; less, and yarns buckle at round-off
   ClothScene::Contact c;
   c.offset = 5e-5;
   c.stiffness = 2e8;

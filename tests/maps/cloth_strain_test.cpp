@@ -29,9 +29,9 @@ TEST(ClothStrain, OfPushedClothIsHiddenInWaves) {
   const garment::Garment patch = testing::patch_garment(0.1, 0.01);
   for (const double squeezed : {0.99, 0.9, 0.6})
     for (const ClothStrain& s : cloth_strains(patch, stretched(patch, squeezed, 1), {})) {
-      EXPECT_NEAR(s.crimp[0], 1 - squeezed, 2e-3);
+      EXPECT_NEAR(s.crimp[0], 1 - squeezed, 3e-3);
       EXPECT_EQ(s.crimp[1], 0);
-      EXPECT_NEAR(s.yarns.col(0).norm(), 1, 2e-3);
+      EXPECT_NEAR(s.yarns.col(0).norm(), 1, 3e-3);
       EXPECT_NEAR(s.shape.col(0).norm(), squeezed, 1e-12);
     }
 }

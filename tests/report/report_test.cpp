@@ -42,8 +42,10 @@ class Report : public ::testing::Test {
     result_.seconds = {{"body", 0.25}, {"settle", 1.5}};
     result_.studied().maps.worn =
         maps::relate(tube, result_.studied().drape.positions, result_.body.body);
+    const fabric::Material cloth;
     for (maps::PerformanceMap& map :
-         maps::compute_maps(tube, result_.studied().drape, result_.studied().maps.worn)) {
+         maps::compute_maps(tube, result_.studied().drape, result_.studied().maps.worn,
+                            maps::default_map_names(), {.material = &cloth})) {
       pipeline::CaseMap entry;
       entry.overall = maps::statistics(map.values, result_.studied().maps.worn.areas);
       entry.regional = maps::regional_statistics(map.values, result_.studied().maps.worn.areas,

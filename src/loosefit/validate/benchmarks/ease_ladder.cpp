@@ -34,9 +34,8 @@ struct Woman {
   /// Known to miss their gates by this; 0: not. AG5 r²; AG6 r² and gap; AG7 depth and waist.
   double folds_missed, line_missed, bridged_missed, deep_missed, ends_missed;
 };
-const Woman kWomen[] = {
-    {"Woman of bust 90 cm", 1.65, 0.90, 0.72, 0.96, 0.066, 0, 9, 0, 0.014},
-    {"Woman of bust 82 cm", 1.58, 0.82, 0.65, 0.90, 0.16, 0, 7.2, 0, 0.07}};
+const Woman kWomen[] = {{"Woman of bust 90 cm", 1.65, 0.90, 0.72, 0.96, 0.066, 0, 9, 0, 0.014},
+                        {"Woman of bust 82 cm", 1.58, 0.82, 0.65, 0.90, 0.16, 0, 7.2, 0, 0.07}};
 
 const char* const kFoldsTakeIt =
     "the air grows more slowly than the cloth, which hangs in folds: of 24 to 25 cm of girth that "

@@ -12,6 +12,7 @@ namespace loosefit::validate {
 namespace {
 
 constexpr double kWidth = 0.04, kLength = 0.24, kEdge = 0.008;  // [m]
+constexpr double kNarrow = 0.075;                               // [m]
 constexpr double kK1 = 2000, kK2 = 1000, kNu12 = 0.2, kShear = 50;
 
 fabric::Material strip_fabric() {
@@ -116,6 +117,11 @@ Finding clamped(double width, Progress& progress) {
   f.unit = "N";
   f.limit = 0.01;
   f.mesh = coarse_mesh + "; " + fine_mesh;
+  if (width < kNarrow)
+    f.known_miss = KnownMiss{
+        0.025,
+        "five edges of flat triangles across a bias strip resist the turning of the yarns at "
+        "the jaws (locking); means round vertices did not, at twice the matrix"};
   return f;
 }
 

@@ -36,21 +36,11 @@ struct Compared {
   const char* why = nullptr;                   ///< it misses
 };
 const char* const kLocking =
-    "flat triangles of 10 mm cannot fold as the cloth does at 5 mm and shear and stretch instead "
-    "(locking). Laid along the shape of the 5 mm mesh they are compressed along the weft by 3.2 % "
-    "on the upper sleeves, 1.1 to 1.8 % above the underarms, 0.2 to 0.6 % on chest, back and sides "
-    "(5th percentile), where the cloth itself is by 0.01 to 0.06 %. With four times the stiffness "
-    "in the plane sides and sleeves keep 77 to 106 % of their principal strain, the chest 80 % of "
-    "its weft's; what only bears load would keep 25 %";
-const char* const kWarp =
-    "too small at 10 mm on the upper back, the left shoulder and the neck, by 27 to 40 % in means "
-    "of several drapes, and still rising from 7 to 5 mm; on the right shoulder by 13 %, no longer "
-    "rising: why is not known. On the sleeves it is a quarter too large, since flat triangles "
-    "cannot fold as the cloth does (docs/accuracy.md 3)";
+    "flat triangles of 10 mm shear where the cloth would fold; yarns buckle below the mesh, shear "
+    "does not (docs/decisions/0017)";
 const char* const kPresses =
-    "flat triangles of 10 mm are stretched where the cloth would fold (locking), and what is "
-    "stretched presses more: free of the arms means of several drapes are 4.0 weights at 10 mm "
-    "and 3.0 at 5 mm (docs/accuracy.md 2)";
+    "the force still falls with the edge: 3.8 weights at 10 mm, 3.3 at 7 and 3.1 at 5 in the means "
+    "of several drapes (docs/accuracy.md 2)";
 const char* const kTouches =
     "the corners of a flat triangle that touches round skin stand off it, those of 10 mm edges "
     "four times as far as those of 5 mm (h²κ/8). The sides touch little, a fold more or less is "
@@ -60,19 +50,17 @@ const auto kTail = &maps::MapStatistics::p95;
 const Compared kMaps[] = {
     {"distance_mm", "distance", "mm", kMean, "means", 2, 0.10, 0.35, 0, 0},
     {"angular_deviation_deg", "angular deviation", "°", kMean, "means", 3, 0.10, 0.25, 0, 0},
-    {"strain_warp", "yarn strain, warp", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.23,
-     0.5, kWarp},
-    {"strain_weft", "yarn strain, weft", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0.28,
-     2.9, kLocking},
-    {"strain_max", "strain, largest principal", "", kMean, "means", 0.0005, 0.10, 0.35, 0.2, 1.0,
+    {"strain_warp", "yarn strain, warp", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35},
+    {"strain_weft", "yarn strain, weft", "", kTail, "95th percentiles", 0.0005, 0.10, 0.35, 0, 0.7,
      kLocking},
-    {"shear_angle_deg", "trellis shear", "°", kTail, "95th percentiles", 0.3, 0.10, 0.35, 0.2, 1.7,
+    {"strain_max", "strain, largest principal", "", kMean, "means", 0.0005, 0.10, 0.35},
+    {"shear_angle_deg", "trellis shear", "°", kTail, "95th percentiles", 0.3, 0.10, 0.35, 0.14, 0,
      kLocking},
     {"gap_mm", "gap", "mm", kMean, "means", 2, 0.10, 0.35},
-    {"contact", "share of the cloth in contact", "", kMean, "means", 0.05, 0.10, 0.35, 0.16, 0.8,
+    {"contact", "share of the cloth in contact", "", kMean, "means", 0.05, 0.10, 0.35, 0, 0.4,
      kTouches},
     // About the weight of the cloth on as much area.
-    {"pressure_kPa", "contact pressure", "kPa", kMean, "means", 0.001, 0.10, 0.35, 0.27, 5.2,
+    {"pressure_kPa", "contact pressure", "kPa", kMean, "means", 0.001, 0.10, 0.35, 0.17, 0.65,
      kPresses},
     {"rotation_deg", "rotation against the body", "°", kMean, "means", 3, 0.10, 0.25}};
 
@@ -148,7 +136,7 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
   force.obtained = here.force_over_weight();
   force.limit = 0.15;
   force.mesh = mesh;
-  force.known_miss = KnownMiss{0.85, kPresses};
+  force.known_miss = KnownMiss{0.25, kPresses};
   result.findings.push_back(force);
   result.findings.push_back({"the same, of it squeezed between arms and trunk", "",
                              there.between_arm_and_trunk / there.weight,
@@ -158,7 +146,7 @@ BenchmarkResult benchmark_reference_shirt(Effort, Progress& progress) {
   free_force.what = "the same, free of arms and trunk";
   free_force.expected = free(there);
   free_force.obtained = free(here);
-  free_force.known_miss = KnownMiss{0.5, kPresses};
+  free_force.known_miss = KnownMiss{0.3, kPresses};
   result.findings.push_back(free_force);
   result.notes.push_back(
       "Single drapes: folds are not unique, and part of a difference is another fold "
