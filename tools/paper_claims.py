@@ -63,7 +63,7 @@ class Claim:
 
 def demo_seconds(context):
     seconds = context.demo()[1]
-    return f"{seconds:.0f} s on {len(os.sched_getaffinity(0))} cores", seconds < 45
+    return f"{seconds:.0f} s on {len(os.sched_getaffinity(0))} cores", seconds < 25
 
 
 def demo_balance(context):
@@ -175,7 +175,7 @@ CLAIMS = [
     Claim("compiles in some nine minutes on two cores", compile_time),
     Claim("2.4 GB of packages", package_size),
     Claim("an 89 MB body model", body_size),
-    Claim("the demo takes some thirty seconds on two cores", demo_seconds),
+    Claim("the demo takes some fifteen seconds on two cores", demo_seconds),
     Claim("run it again with this build on a processor of this kind, get the same bits", same_bits),
     Claim("net forces on its particles are below a thousandth of their weights", demo_balance),
     Claim("an exact test finds no intersection with the body or with itself", demo_intersections),
