@@ -49,6 +49,12 @@ TEST_F(DiskCache, ADamagedFileCountsAsAbsent) {
   }
 }
 
+TEST_F(DiskCache, AFileLargerThanTheWholeCacheCountsAsAbsent) {
+  disk_cache::store(key, "x");
+  fs::resize_file(base / (key + ".lfc"), std::uintmax_t{1} << 44);  // sparse
+  EXPECT_EQ(disk_cache::load(key), std::nullopt);
+}
+
 TEST_F(DiskCache, AFolderInItsPlaceCountsAsAbsent) {
   fs::create_directories(base / (key + ".lfc"));
   EXPECT_EQ(disk_cache::load(key), std::nullopt);

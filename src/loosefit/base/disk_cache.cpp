@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <vector>
@@ -83,15 +84,14 @@ std::optional<std::string> load(const std::string& key) {
   const fs::path in = folder();
   if (in.empty()) return std::nullopt;
   const fs::path path = in / (key + kSuffix);
-  std::error_code none;
-  if (!fs::is_regular_file(path, none)) return std::nullopt;
+  std::error_code gone;  // another process may clear the folder
+  const std::uintmax_t size = fs::is_regular_file(path, gone) ? fs::file_size(path, gone) : 0;
+  if (gone || size < kDigest || size > kMostBytes) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
-  std::error_code unknown;
-  std::string bytes(fs::file_size(path, unknown), 0);
-  if (unknown || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    return std::nullopt;
-  if (bytes.size() < kDigest || sha256_hex(std::string_view(bytes).substr(kDigest)) !=
-                                    std::string_view(bytes).substr(0, kDigest))
+  std::string bytes(size, 0);
+  if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) return std::nullopt;
+  if (sha256_hex(std::string_view(bytes).substr(kDigest)) !=
+      std::string_view(bytes).substr(0, kDigest))
     return std::nullopt;
   std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);

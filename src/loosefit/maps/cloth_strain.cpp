@@ -2,19 +2,23 @@
 
 #include <cmath>
 
-#include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/maps/strain.h"
 
 namespace loosefit::maps {
 
+std::vector<fabric::MembraneEnergy::State> membrane_states(const garment::Garment& garment,
+                                                           const std::vector<Vec3>& positions,
+                                                           const fabric::Material& material) {
+  return fabric::MembraneEnergy(garment.triangles, garment.triangle_uv,
+                                garment.triangle_membrane_factor, material, false,
+                                garment.triangle_added_bending)
+      .states(positions);
+}
+
 std::vector<ClothStrain> cloth_strains(const garment::Garment& garment,
                                        const std::vector<Vec3>& positions,
                                        const fabric::Material& material) {
-  const std::vector<fabric::MembraneEnergy::State> states =
-      fabric::MembraneEnergy(garment.triangles, garment.triangle_uv,
-                             garment.triangle_membrane_factor, material, false,
-                             garment.triangle_added_bending)
-          .states(positions);
+  const auto states = membrane_states(garment, positions, material);
   std::vector<ClothStrain> strains(states.size());
   for (std::size_t t = 0; t < states.size(); ++t) {
     ClothStrain& s = strains[t];

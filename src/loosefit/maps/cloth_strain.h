@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "loosefit/fabric/material.h"
+#include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/garment/garment.h"
 #include "loosefit/geometry/flat_triangle.h"
 
@@ -19,7 +19,13 @@ struct ClothStrain {
   double wavelength = 0;  ///< of the waves, the edge of an equilateral triangle of its area [m]
 };
 
-/// Of every triangle. \throws GeometryError for one without flat area.
+/// Strain, stress and crimp of every triangle, as the drape's membrane sees them. \throws
+/// GeometryError for one without flat area.
+std::vector<fabric::MembraneEnergy::State> membrane_states(const garment::Garment& garment,
+                                                           const std::vector<Vec3>& positions,
+                                                           const fabric::Material& material);
+
+/// Of every triangle. \throws as membrane_states.
 std::vector<ClothStrain> cloth_strains(const garment::Garment& garment,
                                        const std::vector<Vec3>& positions,
                                        const fabric::Material& material);

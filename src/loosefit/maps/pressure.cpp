@@ -8,10 +8,10 @@
 #include <limits>
 
 #include "loosefit/base/error.h"
-#include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/geometry/flat_triangle.h"
 #include "loosefit/geometry/mesh_topology.h"
 #include "loosefit/geometry/rotation_between.h"
+#include "loosefit/maps/cloth_strain.h"
 #include "loosefit/maps/surface_curvature.h"
 
 namespace loosefit::maps {
@@ -75,11 +75,7 @@ double contact_tolerance(const fabric::Material& material) {
 
 std::vector<Mat3> membrane_tension(const garment::Garment& garment, const std::vector<Vec3>& x,
                                    const fabric::Material& material) {
-  const std::vector<fabric::MembraneEnergy::State> states =
-      fabric::MembraneEnergy(garment.triangles, garment.triangle_uv,
-                             garment.triangle_membrane_factor, material, false,
-                             garment.triangle_added_bending)
-          .states(x);
+  const auto states = membrane_states(garment, x, material);
   std::vector<Mat3> tension;
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
     const geometry::DeformationGradient f =
