@@ -51,7 +51,7 @@ TEST_F(DiskCache, ADamagedFileCountsAsAbsent) {
 
 TEST_F(DiskCache, AFileLargerThanTheWholeCacheCountsAsAbsent) {
   disk_cache::store(key, "x");
-  fs::resize_file(base / (key + ".lfc"), std::uintmax_t{1} << 44);  // sparse
+  fs::resize_file(base / (key + ".lfc"), disk_cache::kMostBytes + 1);  // sparse
   EXPECT_EQ(disk_cache::load(key), std::nullopt);
 }
 
