@@ -149,6 +149,7 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   const vtkSmartPointer<vtkImageData> raster = raster_of(image);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(raster);
+  writer->SetCompressionLevel(2);  // a third of the time of the usual 5, a tenth more bytes
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();

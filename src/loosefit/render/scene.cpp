@@ -121,7 +121,7 @@ struct Scene::Window {
   Eigen::AlignedBox3d box;
   Vec2 reach = Vec2::Zero();  ///< largest |x|, |y| of body and garment
   double frame_height = 0;    ///< as SceneContent::frame_height
-  int width = 0, height = 0;
+  int width = 0, height = 0, supersampling = 1;
   bool ambient_occlusion = false;
 
   void add_lines(Part& part, const std::vector<Vec3>& positions,
@@ -143,7 +143,8 @@ struct Scene::Window {
   void add_mark(const std::vector<Vec3>& points, Rgb colour, double radius) {
     vtkNew<vtkCellArray> cell;
     cell->InsertNextCell(static_cast<int>(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) cell->InsertCellPoint(static_cast<vtkIdType>(i));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      cell->InsertCellPoint(static_cast<vtkIdType>(i));
     vtkNew<vtkPolyData> line;
     line->SetPoints(points_of(points));
     line->SetLines(cell);
@@ -170,13 +171,15 @@ struct Scene::Window {
     if (lit) p->SetColor(1, 1, 1);
   }
 
-  Image draw() {
+  Image draw() { return draw(width, height); }
+  Image draw(int across, int down) {
+    window->SetSize(across, down);
     window->Render();
     vtkNew<vtkUnsignedCharArray> raw;
-    window->GetPixelData(0, 0, width - 1, height - 1, 0, raw);
-    Image image(width, height);
-    for (int y = 0; y < height; ++y)
-      std::copy_n(raw->GetPointer(vtkIdType{3} * width * (height - 1 - y)), 3 * width,
+    window->GetPixelData(0, 0, across - 1, down - 1, 0, raw);
+    Image image(across, down);
+    for (int y = 0; y < down; ++y)
+      std::copy_n(raw->GetPointer(vtkIdType{3} * across * (down - 1 - y)), 3 * across,
                   &image.at(0, y)[0]);
     return image;
   }
@@ -189,6 +192,7 @@ Scene::Scene(const Screen& screen, const SceneContent& content, int width, int h
   w.window = screen.window();
   w.width = width * supersampling;
   w.height = height * supersampling;
+  w.supersampling = supersampling;
   w.ambient_occlusion = ambient_occlusion;
   // Off-screen, on white, lit by our own two lights only.
   w.window->SetOffScreenRendering(1);
@@ -274,17 +278,32 @@ Image Scene::light() {
   w.lines.actor->VisibilityOff();
   w.seams.actor->VisibilityOff();
   for (const auto& part : w.marked) part->actor->VisibilityOff();
-  w.renderer->SetUseSSAO(w.ambient_occlusion);
+  w.renderer->SetUseSSAO(false);
+  Image light = w.draw();
+  if (!w.ambient_occlusion) return light;
+  // Occlusion is smooth: it is drawn in the size of the finished picture, in white alone.
+  for (Window::Part* part : {&w.body, &w.under, &w.garment}) {
+    part->actor->GetProperty()->SetAmbient(1);  // lit all the same: occlusion asks for normals
+    part->actor->GetProperty()->SetDiffuse(0);
+  }
+  w.renderer->SetUseSSAO(true);
   w.renderer->SetSSAORadius(kOcclusionRadius);
   w.renderer->SetSSAOBias(0.002);
-  w.renderer->SetSSAOKernelSize(32);
+  w.renderer->SetSSAOKernelSize(64);
   w.renderer->SSAOBlurOn();
-  return w.draw();
+  const Image open = w.draw(w.width / w.supersampling, w.height / w.supersampling);
+  w.renderer->SetUseSSAO(false);
+  for (int y = 0; y < light.height; ++y)
+    for (int x = 0; x < light.width; ++x) {
+      const int share = open.at(x / w.supersampling, y / w.supersampling)[1];
+      for (std::uint8_t& channel : light.at(x, y))
+        channel = static_cast<std::uint8_t>(channel * share / 255);
+    }
+  return light;
 }
 
 Image Scene::colours(const maps::PerformanceMap* map, Rgb cloth) {
   Window& w = *window_;
-  w.renderer->SetUseSSAO(false);
   for (Window::Part* part : {&w.body, &w.under, &w.garment}) w.set_lit(*part, false);
   w.lines.actor->VisibilityOn();
   w.seams.actor->VisibilityOn();

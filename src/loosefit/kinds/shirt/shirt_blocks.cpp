@@ -1,13 +1,27 @@
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "loosefit/kinds/shirt/back_waist.h"
 
 namespace loosefit::kinds {
 
 namespace {
+
+/// Root of a function that rises from `low` to `high`; the nearer end where it has none there.
+template <class Function>
+double root_between(double low, double high, const Function& f) {
+  const double at_low = f(low), at_high = f(high);
+  if (at_low >= 0) return low;
+  if (at_high <= 0) return high;
+  std::uintmax_t evaluations = 60;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(46), evaluations);
+  return 0.5 * (left + right);
+}
 
 constexpr double kBackDartPlace = 0.5;  ///< of the half width between the armholes
 constexpr double kMostFullness = 0.05;  ///< front_fullness that is followed, of the chest
@@ -97,12 +111,8 @@ NeckOpening fit_neck(const ShirtMeasures& m, const ShirtFit& fit) {
     return neck_curve({neck.half_width, 0}, drop, seam_slope(m)).length(kPieces);
   };
   const double front = half_seam - length(neck.drop_back);
-  double low = 0.5 * neck.half_width, high = 3 * neck.half_width;
-  for (int i = 0; i < 40; ++i) {
-    const double drop = 0.5 * (low + high);
-    (length(drop) < front ? low : high) = drop;
-  }
-  neck.drop_front = 0.5 * (low + high);
+  neck.drop_front = root_between(0.5 * neck.half_width, 3 * neck.half_width,
+                                 [&](double drop) { return length(drop) - front; });
   // Down the shoulder seam, the back and the front.
   neck.half_width += fit.neckband * std::cos(seam_slope(m));
   neck.shoulder = fit.neckband * std::sin(seam_slope(m));
@@ -265,23 +275,16 @@ pattern::CurveChain draft_cap(double width, double height) {
 std::optional<CapFit> fit_caps(double front_length, double back_length, double girth) {
   constexpr int kPieces = 8;  // length error below 1e-9 m for these gentle curves
   const auto cap_length = [](double w, double h) { return draft_cap(w, h).length(kPieces); };
-  const auto split = [&](double h) {  // share q with front / back length in the wanted ratio
-    double low = 0.30, high = 0.70;
-    for (int i = 0; i < 46; ++i) {
-      const double q = 0.5 * (low + high);
-      const bool short_front =
-          cap_length(q * girth, h) * back_length < cap_length((1 - q) * girth, h) * front_length;
-      (short_front ? low : high) = q;
-    }
-    return 0.5 * (low + high);
+  // Share of the front in the girth that brings front and back length to the wanted ratio.
+  const auto split = [&](double h) {
+    return root_between(0.30, 0.70, [&](double q) {
+      return cap_length(q * girth, h) * back_length - cap_length((1 - q) * girth, h) * front_length;
+    });
   };
-  double low = 1e-3, high = 2 * std::max(front_length, back_length);
-  if (cap_length(split(low) * girth, low) > front_length) return std::nullopt;
-  for (int i = 0; i < 46; ++i) {
-    const double h = 0.5 * (low + high);
-    (cap_length(split(h) * girth, h) < front_length ? low : high) = h;
-  }
-  const double h = 0.5 * (low + high);
+  const auto excess = [&](double h) { return cap_length(split(h) * girth, h) - front_length; };
+  constexpr double kFlat = 1e-3;  // [m]
+  if (excess(kFlat) > 0) return std::nullopt;
+  const double h = root_between(kFlat, 2 * std::max(front_length, back_length), excess);
   const double q = split(h);
   // Very unequal armholes would need a split beyond the limits of q.
   if (std::abs(cap_length(q * girth, h) - front_length) > 1e-7 ||
