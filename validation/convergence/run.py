@@ -6,6 +6,7 @@ are not unique, one drape is one sample), and keeps the statistics per region in
 this file. Drapes that are already in the output folder are not run again.
 
     python3 validation/convergence/run.py --binary build/bin/loosefit -o out/convergence
+    python3 validation/convergence/run.py --garments  # others at two edge lengths: garments.json
     python3 validation/convergence/tables.py          # table and plot of docs/accuracy.md
 """
 
@@ -24,29 +25,44 @@ from records import json_lines  # noqa: E402
 
 # Edge length [mm] -> number of drapes.
 PLAN = {20: 8, 14: 8, 10: 8, 7: 4, 5: 3}
+GARMENTS_PLAN = {14: 4, 5: 3}
+# Name in the tables -> example it starts from and what is replaced in it.
+GARMENTS = {
+    "shirt, cotton-shirting": ("reference-shirt", {"name": "cotton-shirting"}),
+    "shirt, cotton-jersey": ("reference-shirt", {"name": "cotton-jersey"}),
+    "shirt, denim": ("reference-shirt", {"name": "denim"}),
+    "trousers, denim": ("trousers", {"name": "denim"}),
+    "T-shirt, compression-knit": ("reference-shirt", {
+        "name": "compression-knit", "pattern": "t-shirt",
+        "fit": "{ chest = -0.12, waist = -0.10, hip = -0.12, sleeve = -0.10 }"}),
+}
 MAPS = ["strain_warp", "strain_weft", "shear_angle_deg", "strain_max", "distance_mm", "angular_deviation_deg",
         "angular_deviation_total_deg"]
 STATISTICS = ["area_mean", "median", "p95"]
 
 
-def scenario_text(edge_mm, seed):
-    """The reference scenario with this edge length, seed and a perturbed start."""
-    text = (REPOSITORY / "examples" / "reference-shirt.toml").read_text()
-    text, changed = re.subn(r"edge_length = \S+", f"edge_length = {edge_mm / 1000}", text)
-    text, seeded = re.subn(r"seed = \d+", f"seed = {seed}\nstart_perturbation = 0.001\nthreads = 1",
-                           text)
-    text, mapped = re.subn(r"maps = \[", 'maps = ["crimp", ', text)
-    if changed != 1 or seeded != 1 or mapped != 1:
-        raise SystemExit("error: examples/reference-shirt.toml: found no edge_length, no seed or no maps")
-    return text
+def scenario_text(edge_mm, seed, garment=None):
+    """The reference scenario, or that of a garment, with this edge length, seed and a perturbed start."""
+    example, replaced = GARMENTS[garment] if garment else ("reference-shirt", {})
+    text = (REPOSITORY / "examples" / f"{example}.toml").read_text()
+    text = re.sub(r"(?ms)^\[(simulation|output)\].*?(?=^\[|\Z)", "", text)
+    for key, value in replaced.items():
+        value = value if value.startswith("{") else f'"{value}"'
+        text, changed = re.subn(rf"(?m)^{key} = .*$", f"{key} = {value}", text)
+        if changed != 1:
+            raise SystemExit(f"error: examples/{example}.toml: found {changed} keys {key}, expected one")
+    return text + (f"[simulation]\nedge_length = {edge_mm / 1000}\nseed = {seed}\n"
+                   "start_perturbation = 0.001\nthreads = 1\n[output]\n"
+                   'maps = ["crimp", "strain", "shear", "distance", "angular-deviation"]\n')
 
 
-def drape(binary, folder, edge_mm, seed):
+def drape(binary, folder, edge_mm, seed, garment=None):
     """Runs one drape unless it is there; returns its folder."""
-    target = folder / f"{edge_mm}mm-{seed}"
+    name = (re.sub(r"\W+", "-", garment) + "-" if garment else "") + f"{edge_mm}mm-{seed}"
+    target = folder / name
     if not (target / "summary.json").exists():
-        scenario = folder / f"{edge_mm}mm-{seed}.toml"
-        scenario.write_text(scenario_text(edge_mm, seed))
+        scenario = folder / f"{name}.toml"
+        scenario.write_text(scenario_text(edge_mm, seed, garment))
         run = subprocess.run(
             [binary, "run", str(scenario), "-o", str(target), "--no-pictures", "-q"],
             capture_output=True, text=True)
@@ -80,18 +96,25 @@ def main():
     parser.add_argument("--binary", default=str(REPOSITORY / "build" / "bin" / "loosefit"))
     parser.add_argument("-o", "--output", default="out/convergence", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--garments", action="store_true", help="other garments and fabrics")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
-    cases = [(edge, seed) for edge, count in PLAN.items() for seed in range(1, count + 1)]
+    plan = GARMENTS_PLAN if arguments.garments else PLAN
+    cases = [(edge, seed, garment) for garment in (GARMENTS if arguments.garments else [None])
+             for edge, count in plan.items() for seed in range(1, count + 1)]
     results = {}
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         work = {case: pool.submit(drape, arguments.binary, arguments.output, *case)
                 for case in cases}
-        for (edge, seed), done in work.items():
-            results.setdefault(str(edge), {})[str(seed)] = figures(done.result())
-            print(f"{edge} mm, start {seed}: settled {results[str(edge)][str(seed)]['settled']}",
+        for (edge, seed, garment), done in work.items():
+            of_garment = results.setdefault(garment, {})
+            of_garment.setdefault(str(edge), {})[str(seed)] = kept = figures(done.result())
+            print(f"{garment or 'reference shirt'}, {edge} mm, start {seed}: settled {kept['settled']}",
                   file=sys.stderr, flush=True)
-    (HERE / "results.json").write_text(json_lines(results) + "\n")
+    if arguments.garments:
+        (HERE / "garments.json").write_text(json_lines(results) + "\n")
+    else:
+        (HERE / "results.json").write_text(json_lines(results[None]) + "\n")
 
 
 if __name__ == "__main__":
