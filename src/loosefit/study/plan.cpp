@@ -441,10 +441,10 @@ Plan make_plan(const StudyFile& study) {
 namespace {
 
 double estimated_core_seconds(const PlannedCase& one) {
-  // Measured on shirts of adults: body, pattern and measuring of a case; of a drape what is done
-  // with bodies and coarse meshes whatever the edge (putting on, wearing in), and the finest one at
-  // 10 mm, whose time grows with the number of vertices to the power of 1.25.
-  constexpr double kCase = 5, kCoarse = 11, kFine = 28, kEdge = 0.010, kPower = 2.5;
+  // Measured on shirts of adults (docs/scaling.md): body, pattern and measuring of a case; of a
+  // drape what is done with bodies and coarse meshes whatever the edge (putting on, wearing in),
+  // and the finest one at 10 mm, whose time grows with the number of vertices to the power of 1.25.
+  constexpr double kCase = 4, kCoarse = 4, kFine = 16, kEdge = 0.010, kPower = 2.5;
   return kCase + one.drapes * (kCoarse + kFine * std::pow(kEdge / one.edge_length, kPower));
 }
 
