@@ -164,6 +164,48 @@ TEST_F(SiteSearch, ManySamplesCountByTheWorst) {
               1.09 * options_.candidate_spacing);
 }
 
+/// Between 0 and 1, another for every place and sample.
+double chance(const PatternPlace& place, int sample) {
+  const double x = 1e4 * place.at.x() * 12.9898 + 1e4 * place.at.y() * 78.233 + 37.719 * sample;
+  const double y = std::sin(x) * 43758.5453;
+  return y - std::floor(y);
+}
+
+TEST_F(SiteSearch, JudgesPlacesFoundByChanceBySamplesThatDidNotFindThem) {
+  constexpr int kSamples = 4;
+  field_.metrics = [](const PatternPlace& place) {
+    std::vector<MetricValues> samples;
+    for (int k = 0; k < kSamples; ++k) samples.push_back({{"gap_mm", 200 * chance(place, k)}});
+    return samples;
+  };
+  options_.best = 8;
+  double found = 0, unseen = 0;
+  const SearchResult result = search();
+  ASSERT_EQ(result.sites.size(), 8u);
+  for (const FoundSite& site : result.sites) {
+    ASSERT_EQ(site.held_out.size(), std::size_t{kSamples});
+    for (int k = 0; k < kSamples; ++k) {
+      found += site.score.samples[k] / (8 * kSamples);
+      unseen += site.held_out[k] / (8 * kSamples);
+    }
+  }
+  EXPECT_GT(found, 0.7) << "the best of many by chance";
+  EXPECT_NEAR(unseen, 0.5, 0.2) << "as any place";
+
+  field_.held_out_together = {0, 0, 1, 1};
+  EXPECT_EQ(search().sites[0].held_out.size(), std::size_t{kSamples});
+  field_.held_out_together = {0, 0, 0, 0};
+  EXPECT_TRUE(search().sites[0].held_out.empty()) << "nothing is left to find a place with";
+}
+
+TEST_F(SiteSearch, PlacesThatAreGoodInEverySampleStayGood) {
+  field_.metrics = [this](const PatternPlace& place) {
+    return std::vector<MetricValues>(3, {{"gap_mm", 1e3 * (place.at - best_).norm()}});
+  };
+  for (const FoundSite& site : search().sites)
+    for (const double score : site.held_out) EXPECT_EQ(score, site.score.robust);
+}
+
 TEST_F(SiteSearch, TellsProgressAndCanBeStopped) {
   std::vector<double> shares;
   field_.progress = [&](double share) { shares.push_back(share); };

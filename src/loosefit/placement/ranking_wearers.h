@@ -31,6 +31,7 @@ class Wearers {
   Wearers(const std::vector<RankingWearer>& wearers, const Scorecard& scorecard);
 
   const SensorProbe& first() const { return probes_.front(); }
+  std::size_t count() const { return probes_.size(); }
   /// Whether some wearer has sites of its own: the garments are then cut differently.
   bool cut_differently() const;
   /// Per sample: the wearer's name, with the donning's number where there are several.

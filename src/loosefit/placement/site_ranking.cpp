@@ -96,6 +96,8 @@ class Table {
     field.positions = ground_.positions;
     field.regions = ground_.worn.regions;
     field.progress = wish_.progress;
+    field.held_out_together = wearers_.sample_wearers();
+    if (wearers_.count() == 1) field.held_out_together.clear();  // each donning by itself
     SearchOptions options = wish_.search;
     options.best = wish_.best;
     const SearchResult result =
@@ -114,6 +116,7 @@ class Table {
     add(revisit_sites(found, ground_.garment, ground_.positions, ground_.body, ground_.worn, {}));
     for (std::size_t i = 0; i < found.size(); ++i)
       table_.places[given + i].tolerance = result.sites[i].tolerance;
+    note_held_out(found, result.sites);
     if (!result.shortfall.empty()) table_.notes.push_back(result.shortfall);
   }
 
@@ -140,6 +143,25 @@ class Table {
       table_.sites.push_back({sites[i].name, samples[i]});
       table_.places.push_back(described(sites[i]));
     }
+  }
+
+  /// What places found are worth in samples that did not find them.
+  void note_held_out(const std::vector<Site>& names, const std::vector<FoundSite>& found) {
+    const char* what = wearers_.count() > 1 ? "wearers" : "donnings";
+    std::vector<std::string> said;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      std::vector<double> unseen = found[i].held_out;
+      std::erase_if(unseen, [](double score) { return std::isnan(score); });
+      if (unseen.empty()) continue;
+      const auto [least, most] = std::minmax_element(unseen.begin(), unseen.end());
+      said.push_back(fmt::format("{} {:.2f} to {:.2f}", names[i].name, *least, *most));
+    }
+    if (!said.empty())
+      table_.notes.push_back(fmt::format("scores of places found, in {} that did not find them: {}",
+                                         what, join(said)));
+    else if (!found.empty())
+      table_.notes.push_back(
+          "places found are rated by the sample that found them: their scores are flattered");
   }
 
   RankedPlace described(const Site& site) const {

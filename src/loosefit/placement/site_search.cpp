@@ -4,10 +4,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <numeric>
+#include <set>
 #include <tuple>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 
 namespace loosefit::placement {
@@ -94,6 +98,57 @@ std::vector<SiteScore> scored(const std::vector<PatternPlace>& places, const Sea
   return scores;
 }
 
+/// Best first.
+void order(std::vector<FoundSite>& sites) {
+  std::stable_sort(sites.begin(), sites.end(), [](const FoundSite& a, const FoundSite& b) {
+    return std::tuple(a.score.robust, a.score.median, a.score.margin) >
+           std::tuple(b.score.robust, b.score.median, b.score.margin);
+  });
+}
+
+/// The first sites that keep their distance to those before, as numbers.
+std::vector<std::size_t> spaced(const std::vector<FoundSite>& ordered, double spacing, int most) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < ordered.size() && static_cast<int>(chosen.size()) < most; ++i)
+    if (std::none_of(chosen.begin(), chosen.end(), [&](std::size_t j) {
+          return (ordered[j].position - ordered[i].position).norm() < spacing;
+        }))
+      chosen.push_back(i);
+  return chosen;
+}
+
+/// FoundSite::held_out of the first `most` places of searches among these sites.
+std::vector<std::vector<double>> held_out(const std::vector<FoundSite>& rated, double spacing,
+                                          int most, std::vector<int> together) {
+  const std::size_t samples = rated.empty() ? 0 : rated.front().score.samples.size();
+  if (together.empty()) {
+    together.resize(samples);
+    std::iota(together.begin(), together.end(), 0);
+  }
+  const std::set<int> folds(together.begin(), together.end());
+  if (folds.size() < 2) return std::vector<std::vector<double>>(most);
+  std::vector<std::vector<double>> scores(
+      most, std::vector<double>(samples, std::numeric_limits<double>::quiet_NaN()));
+  for (const int fold : folds) {
+    std::vector<FoundSite> others = rated;
+    for (std::size_t i = 0; i < rated.size(); ++i) {
+      std::vector<double> kept;
+      for (std::size_t k = 0; k < samples; ++k)
+        if (together[k] != fold) kept.push_back(rated[i].score.samples[k]);
+      others[i].score.robust = quantile(kept, kRobustShare);
+      others[i].score.median = median(kept);
+      others[i].score.margin = 0;  // may be that of a sample that is held out
+    }
+    std::erase_if(others, [](const FoundSite& site) { return site.score.robust <= 0; });
+    order(others);
+    const std::vector<std::size_t> chosen = spaced(others, spacing, most);
+    for (std::size_t j = 0; j < chosen.size(); ++j)
+      for (std::size_t k = 0; k < samples; ++k)
+        if (together[k] == fold) scores[j][k] = others[chosen[j]].score.samples[k];
+  }
+  return scores;
+}
+
 std::string shortfall(const SearchResult& result, int wanted) {
   const int found = static_cast<int>(result.sites.size());
   if (found >= wanted) return {};
@@ -127,28 +182,23 @@ SearchResult search_sites(const garment::Garment& garment, const SearchField& fi
     ++result.candidates;
     if (admission.admits(place, result)) admitted.push_back(place);
   }
-  std::vector<FoundSite> passing;
+  std::vector<FoundSite> rated;
   const std::vector<SiteScore> scores = scored(admitted, field, scorecard);
   for (std::size_t i = 0; i < admitted.size(); ++i) {
     if (!scores[i].rated())
       ++result.not_rated;
-    else if (scores[i].robust <= 0)
-      ++result.failing;
     else
-      passing.push_back(
+      rated.push_back(
           {admitted[i], at_place(garment, admitted[i], field.positions), scores[i], {}});
   }
-  std::stable_sort(passing.begin(), passing.end(), [](const FoundSite& a, const FoundSite& b) {
-    return std::tuple(a.score.robust, a.score.median, a.score.margin) >
-           std::tuple(b.score.robust, b.score.median, b.score.margin);
-  });
-  for (FoundSite& site : passing) {
-    if (static_cast<int>(result.sites.size()) == options.best) break;
-    const bool crowded =
-        std::any_of(result.sites.begin(), result.sites.end(), [&](const FoundSite& chosen) {
-          return (chosen.position - site.position).norm() < constraints.spacing;
-        });
-    if (!crowded) result.sites.push_back(std::move(site));
+  const std::vector<std::vector<double>> unseen =
+      held_out(rated, constraints.spacing, options.best, field.held_out_together);
+  result.failing = static_cast<int>(
+      std::erase_if(rated, [](const FoundSite& site) { return site.score.robust <= 0; }));
+  order(rated);
+  for (const std::size_t i : spaced(rated, constraints.spacing, options.best)) {
+    FoundSite& site = result.sites.emplace_back(std::move(rated[i]));
+    site.held_out = unseen[result.sites.size() - 1];
   }
   const PlaceTest allowed =
       keeps_clear(garment, field, constraints, outer_radius(scorecard.footprint));

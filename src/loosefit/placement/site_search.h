@@ -47,6 +47,8 @@ struct SearchField {
   std::function<bool(const PatternPlace&)> covers = {};
   /// Told the share of the candidates that is measured; may throw to stop the search.
   std::function<void(double)> progress = {};
+  /// Per sample a number; samples of one number are held out together. Empty: each by itself.
+  std::vector<int> held_out_together = {};
 };
 
 struct FoundSite {
@@ -54,6 +56,10 @@ struct FoundSite {
   Vec3 position = Vec3::Zero();  ///< as worn [m]
   SiteScore score;
   Tolerance tolerance;
+  /// Per sample: its score at the place that a search without this sample puts here (leave one
+  /// out). A place is best by chance, too, on the samples that found it. NaN: no such place. Empty:
+  /// all samples are held out together.
+  std::vector<double> held_out = {};
 };
 
 struct SearchResult {
