@@ -360,6 +360,7 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
   CLI::App* command = parent->add_subcommand("export", "every table of the database as CSV");
   folder_option(command, arguments);
   command->add_option("-o,--output", arguments->output, "folder; usually DIR/csv");
+  command->add_flag("-q,--quiet", arguments->quiet, "no words on what was written");
   add_json_flag(*command, arguments->json);
   command->callback([arguments] {
     const study::StudyFolder folder(arguments->folder);
@@ -381,6 +382,7 @@ void make_export_command(CLI::App* parent, const std::shared_ptr<Arguments>& arg
     const std::string content = study::content_sha256(database);
     if (arguments->json)
       return print_json({{"folder", to}, {"files", files}, {"content_sha256", content}});
+    if (arguments->quiet) return;
     fmt::print("written: {} ({} tables)\ncontent: {}\n", terminal_line(to), files.size(), content);
   });
 }

@@ -8,7 +8,7 @@ from typing import Any, Optional
 
 _SITE_KEYS = frozenset({
     "panel", "u_m", "v_m", "position_m", "region", "angle_deg", "body_address", "covered",
-    "why_not_covered"})
+    "why_not_covered", "footprint", "by_donning"})
 
 
 def _address_columns(address: Optional[Mapping[str, Any]]) -> dict[str, Any]:
@@ -20,20 +20,34 @@ def _address_columns(address: Optional[Mapping[str, Any]]) -> dict[str, Any]:
             "body_x_percent": x, "body_y_percent": y, "body_z_percent": z}
 
 
+def _footprint_words(shape: Mapping[str, Any]) -> str:
+    def millimetres(metres: float) -> str:
+        return f"{round(1000 * metres, 1):g}"
+    if "radius_m" in shape:
+        return f"disc of {millimetres(2 * shape['radius_m'])} mm"
+    if "size_m" in shape:
+        across, along = shape["size_m"]
+        return f"{millimetres(across)} x {millimetres(along)} mm"
+    if "length_m" in shape:
+        return f"line of {millimetres(shape['length_m'])} mm"
+    return "girth"
+
+
 def site_records(sites: Mapping[str, Any], uncovered: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Rows of sites.csv from `sites` and `uncovered_sites` of summary.json.
 
     Every row has the same keys; None where a site lacks a value.
     """
-    arrays = sorted({key for site in sites.values() for key in site if key not in _SITE_KEYS},
-                    key=lambda key: (key.removesuffix("_worst"), key.endswith("_worst")))
+    names = sorted({key for site in sites.values() for key in site if key not in _SITE_KEYS})
     rows = []
     for name, site in sites.items():
         x, y, z = site["position_m"]
         row = {"name": name, "region": site["region"], "panel": site["panel"], "u_m": site["u_m"],
                "v_m": site["v_m"], "x_m": x, "y_m": y, "z_m": z,
                "angle_deg": round(site["angle_deg"], 8), **_address_columns(site["body_address"])}
-        row.update({array: site.get(array) for array in arrays})
+        if "footprint" in site:  # not in outputs of earlier versions
+            row["footprint"] = _footprint_words(site["footprint"])
+        row.update({key: site.get(key) for key in names})
         row["covered"] = site["covered"]
         row["why_not_covered"] = site.get("why_not_covered", "")
         rows.append(row)
@@ -72,6 +86,7 @@ def ranking_records(ranking: Mapping[str, Any]) -> list[dict[str, Any]]:
         row["x_m"], row["y_m"], row["z_m"] = site["position_m"]
         row["to_seam_mm"], row["to_edge_mm"] = site["to_seam_mm"], site["to_edge_mm"]
         row.update(_address_columns(site["body_address"]))
+        row["footprint"] = _footprint_words(site["footprint"])
         tolerance = site["tolerance"] or {}
         row["tolerance_along_mm"] = tolerance.get("along_mm")
         row["tolerance_around_mm"] = tolerance.get("around_mm")

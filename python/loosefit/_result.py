@@ -396,6 +396,12 @@ class Result:
             raise NotSettled(self._sealed_message())
         return site_records(self.summary.get("sites", {}), self.summary.get("uncovered_sites", {}))
 
+    @property
+    def answers(self) -> list[dict[str, Any]]:
+        """What to sew where and what to expect, a record per sensor, as on the first screen of the
+        page; `text` has it in words. Empty for a sealed drape."""
+        return self.summary.get("answers", [])
+
     @cached_property
     def ranking(self) -> Optional[Ranking]:
         """As section [ranking] of the scenario asks; None without one. See also loosefit.rank."""

@@ -150,6 +150,30 @@ TEST(JointPostures, BothSidesAreAlike) {
   }
 }
 
+TEST(JointPostures, ASitterMovesArmsAndKeepsTheLegs) {
+  const Body sitter = in("sitting");
+  for (const double flexion : {20.0, 60.0, 90.0, 120.0}) {
+    const Body moved =
+        in("sitting+" + joint_posture_name({{"elbow-flexion", flexion}, {"shoulder-flexion", 30}}));
+    for (const std::string side : {"_L", "_R"}) {
+      EXPECT_NEAR(angle(between(moved, "shoulder" + side, "elbow" + side),
+                        between(moved, "elbow" + side, "wrist" + side)),
+                  flexion, 0.5);
+      EXPECT_LT((moved.joints.at("knee" + side) - sitter.joints.at("knee" + side)).norm(), 1e-9);
+      EXPECT_GT((moved.joints.at("wrist" + side) - sitter.joints.at("wrist" + side)).norm(), 0.01);
+    }
+  }
+}
+
+TEST(JointPostures, ANamedPostureTakesOnlyJointsThatItLeavesFree) {
+  for (const char* wrong : {"sitting+hip-flexion-20", "sitting+left-knee-flexion-20", "sitting+",
+                            "sitting+standing", "sitting+elbow-flexion-200", "sit+elbow-flexion-20",
+                            "sitting+elbow-flexion-20+elbow-flexion-30"})
+    EXPECT_THROW(named_posture(wrong), InvalidInput) << wrong;
+  for (const auto& [name, posture] : named_postures())
+    EXPECT_NO_THROW(named_posture(name + "+trunk-rotation-20")) << name;
+}
+
 TEST(JointPostures, NamesAreReadBack) {
   const std::vector<JointAngle> both = {{"elbow-flexion", 90}, {"wrist-flexion", -12.5}};
   EXPECT_EQ(joint_posture_name(both), "elbow-flexion-90+wrist-flexion--12.5");

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "loosefit/base/error.h"
 #include "loosefit/body/body_frame.h"
 #include "loosefit/maps/compute_maps.h"
+#include "loosefit/maps/orientation_error.h"
 #include "support/tube_garment.h"
 #include "support/wall_and_patch.h"
 
@@ -23,6 +26,35 @@ struct Turn {
 Mat3 rotation(const Turn& t) {
   const Vec3 axis(std::cos(radians(t.azimuth)), std::sin(radians(t.azimuth)), 0);
   return turn_about(axis, radians(t.tilt)) * turn_about(Vec3::UnitZ(), radians(t.twist));
+}
+
+TEST(Orientation, TiltAboutTheSensorsAxesIsTheSameTiltSeenFromTheSensor) {
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> tilt(0, 80), turn(-170, 170);
+  for (int draw = 0; draw < 200; ++draw) {
+    const Turn t{tilt(rng), turn(rng), turn(rng)};
+    const Mat3 r = rotation(t);
+    const Orientation o = orientation_of(r);
+    const Vec3 in_sensor = r.transpose() * Vec3(o.tilt_sagittal, o.tilt_lateral, 0);
+    EXPECT_NEAR(o.tilt_across(), in_sensor.x(), 1e-9);
+    EXPECT_NEAR(o.tilt_along(), in_sensor.y(), 1e-9);
+    EXPECT_NEAR(in_sensor.z(), 0, 1e-9);
+  }
+}
+
+TEST(OrientationError, TurnHasTheSizeOfTheErrorAndItsSigns) {
+  std::mt19937_64 rng(5);
+  std::uniform_real_distribution<double> any(-1, 1), size(0.01, 2.5);
+  for (int draw = 0; draw < 200; ++draw) {
+    const Mat3 then = rotation({60 * any(rng), 170 * any(rng), 170 * any(rng)});
+    const Vec3 axis = Vec3(any(rng), any(rng), any(rng)).normalized();
+    const double angle = size(rng);
+    // The sensor turns about an axis that is fixed in it.
+    const Mat3 now = then * turn_about(axis, angle);
+    const Vec3 turn = calibrated_turn(now, then);
+    EXPECT_LT((turn - angle * axis).norm(), 1e-7);
+    EXPECT_NEAR(turn.norm(), calibrated_error(now, then), 1e-7);
+  }
 }
 
 class KnownTurn : public ::testing::TestWithParam<Turn> {};

@@ -40,6 +40,25 @@ TEST(StrainRange, WithinIsWithinAndTellsTheLargest) {
   EXPECT_EQ(range.share_beyond, 0);
 }
 
+TEST(StrainRange, CrushedAndTornTrianglesAreCountedAsTheyAre) {
+  const garment::Garment patch = testing::patch_garment(0.1, 0.01);
+  std::size_t right = 0;  // triangles of which no corner is on the left half
+  for (const auto& uv : patch.triangle_uv)
+    right += std::all_of(uv.begin(), uv.end(), [](const Vec2& p) { return p.x() > 1e-9; });
+  for (const double weft : {0.3, 0.45, 0.55, 0.9, 1.2, 1.5, 2.5}) {
+    Mat2 half;
+    half << weft, 0, 0, 1;
+    const std::vector<Vec3> x = stretched(patch, Mat2::Identity(), half);
+    const StrainRange range = strain_range(patch, x, knit());
+    EXPECT_GE(range.crushed.size(), weft < 0.5 ? right : 0) << weft;
+    EXPECT_EQ(range.crushed.empty(), weft > 0.5) << weft;
+    EXPECT_GE(range.torn.size(), weft > 1.35 ? right : 0) << weft;
+    EXPECT_EQ(range.torn.empty(), weft < 1.3) << weft;
+    EXPECT_NEAR(range.least, std::min(0.0, weft - 1), 1e-9);
+    EXPECT_NEAR(range.most, std::max(0.0, weft - 1), 1e-9);
+  }
+}
+
 TEST(StrainRange, HalfOfThePatchBeyondIsHalfOfItsArea) {
   const garment::Garment patch = testing::patch_garment(0.1, 0.01);
   Mat2 half;

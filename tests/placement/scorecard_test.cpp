@@ -143,7 +143,26 @@ TEST_F(Derived, KeepsWhatIsGivenAndKnowsTheFootprint) {
   EXPECT_DOUBLE_EQ(of("sensor_diameter_mm", {}), 20);
   EXPECT_DOUBLE_EQ(of("strain_peak", {{"strain_peak", 7}, {"strain", 1}, {"strain_swing", 1}}), 7);
   card_.footprint.kind = FootprintShape::Kind::line;
+  card_.footprint.length = 0.055;
+  EXPECT_DOUBLE_EQ(of("sensor_diameter_mm", {}), 55);
+  card_.footprint.kind = FootprintShape::Kind::rectangle;
+  card_.footprint.size = {0.04, 0.03};
+  EXPECT_DOUBLE_EQ(of("sensor_diameter_mm", {}), 40) << "the longer side";
+  card_.footprint.kind = FootprintShape::Kind::girth;
   EXPECT_TRUE(std::isnan(of("sensor_diameter_mm", {})));
+}
+
+TEST(FootprintShapes, AreToldInWords) {
+  FootprintShape shape;
+  EXPECT_EQ(in_words(shape), "disc of 24 mm");
+  shape.kind = FootprintShape::Kind::rectangle;
+  shape.size = {0.04, 0.0255};
+  EXPECT_EQ(in_words(shape), "40 x 25.5 mm");
+  shape.kind = FootprintShape::Kind::line;
+  shape.length = 0.06;
+  EXPECT_EQ(in_words(shape), "line of 60 mm");
+  shape.kind = FootprintShape::Kind::girth;
+  EXPECT_EQ(in_words(shape), "girth");
 }
 
 TEST(FootprintShapes, AreaAndCircle) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <cmath>
 #include <memory>
 
@@ -113,6 +115,33 @@ TEST_F(SiteRanking, MissingPosturesAreSaidOrLeftOut) {
   EXPECT_EQ(part.scorecard.left_out, std::vector<std::string>{"slip_mm"});
   wish_.scorecard.criteria.erase(wish_.scorecard.criteria.begin());
   EXPECT_EQ(make_ranking(ground(), wish_).ranking.sites[0].rank, 0) << "nothing to judge by";
+}
+
+TEST_F(SiteRanking, EveryMetricIsThatOfTheSitesOwnFootprint) {
+  std::mt19937_64 rng(11);
+  std::uniform_real_distribution<double> side(0.012, 0.045), any(0, 1);
+  wish_.scorecard.footprint.radius = 0.012;
+  std::vector<SiteSpec> specs;
+  for (int i = 0; i < 8; ++i) {
+    SiteSpec& spec =
+        specs.emplace_back(SiteSpec{"s" + std::to_string(i), "tube", {0.1 + 0.2 * any(rng), 0.2}});
+    spec.angle = 1.5 * any(rng);
+    spec.footprint.kind = FootprintShape::Kind::rectangle;
+    spec.footprint.size = {side(rng), side(rng)};
+  }
+  wish_.sites = sites(specs);
+  const RankingTable table = make_ranking(ground(), wish_);
+  const SensorProbe probe(ground(), wish_.scorecard);
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    const MetricValues& ranked = table.sites[i].samples.at(0);
+    EXPECT_NEAR(ranked.at("sensor_diameter_mm"), 1e3 * specs[i].footprint.size.maxCoeff(), 1e-9);
+    const MetricValues here = probe.at(wish_.sites[i]).at(0), state = probe.in_states(wish_.sites[i]).at(0);
+    for (const auto& [metric, value] : ranked) {
+      if (!std::isfinite(value)) continue;
+      EXPECT_EQ(here.at(metric), value) << metric;
+      EXPECT_EQ(state.at(metric), value) << metric << ": one state is all of them";
+    }
+  }
 }
 
 TEST_F(SiteRanking, SensorIsThatOfTheScorecardUnlessTheSiteStatesOne) {

@@ -149,7 +149,7 @@ TEST(SewingPlan, LinesRoundTheBodyAreDottedOnEveryPieceTheyCross) {
 
 TEST(SewingPlan, DistancesGoToTwoEdgesThatDoNotRunAlike) {
   const pattern::Panel panel = rectangle().panels[0];
-  const auto two = edge_distances(panel, {0.05, 0.3});
+  const auto two = pipeline::edge_distances(panel, {0.05, 0.3});
   ASSERT_EQ(two.size(), 2u);
   EXPECT_EQ(panel.edges[two[0].edge].name, "side_R");
   EXPECT_NEAR(two[0].length, 0.05, 1e-12);

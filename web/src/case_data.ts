@@ -15,6 +15,7 @@ export interface MapStyle {
   unit: string;
   low: number;
   high: number;
+  fitted: [number, number]; // round ends that hold nearly all of the cloth, in all states
   diverging: boolean;
   percent: boolean;
   decimals: number;
@@ -73,6 +74,7 @@ export interface Line {
 
 export interface RankedPlace extends Place {
   rank: string | null;
+  mark: number; // of its row in the table
   score: number | null;
   passes: boolean;
   reason: string;

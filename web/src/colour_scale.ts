@@ -12,7 +12,7 @@ export interface Scale {
   table: Uint8Array; // 256 × RGB
 }
 
-export type RangeChoice = "fixed" | "drape" | "own";
+export type RangeChoice = "fit" | "fixed" | "drape" | "own";
 
 /** Round numbers from low to high, four to seven of them. */
 export function niceTicks(low: number, high: number): number[] {
@@ -29,12 +29,13 @@ export function niceTicks(low: number, high: number): number[] {
 export function makeScale(data: Case, style: MapStyle, values: MapValues | undefined,
                           choice: RangeChoice, own: [number, number]): Scale {
   const table = style.diverging ? data.colours.diverging : data.colours.sequential;
-  if (choice === "fixed") {
+  if (choice === "fixed" || choice === "fit") {
     if (style.breaks.length > 1)
       return { low: style.low, high: style.high, breaks: style.breaks, ticks: style.breaks,
                lines: style.breaks.length - 1, middle: true, table };
-    const ticks = [0, 1, 2, 3, 4].map((k) => style.low + (style.high - style.low) * k / 4);
-    return { low: style.low, high: style.high, breaks: [], ticks, lines: 8, middle: !style.diverging, table };
+    const [low, high] = choice === "fit" ? style.fitted : [style.low, style.high];
+    const ticks = [0, 1, 2, 3, 4].map((k) => low + (high - low) * k / 4);
+    return { low, high, breaks: [], ticks, lines: 8, middle: !style.diverging, table };
   }
   let [low, high] = own;
   if (choice === "drape" && values) {

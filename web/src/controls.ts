@@ -17,7 +17,8 @@ export class Controls {
   readonly element: HTMLElement;
   readonly map = make("select", { id: "map" });
   readonly range = make("select", { id: "range" },
-    make("option", { value: "fixed" }, "Fixed"), make("option", { value: "drape" }, "This drape"),
+    make("option", { value: "fit" }, "Round"), make("option", { value: "fixed" }, "Fixed"),
+    make("option", { value: "drape" }, "All values"),
     make("option", { value: "own" }, "My own"));
   readonly low = make("input", { id: "low", type: "number", step: "any", "aria-label": "Range from" });
   readonly high = make("input", { id: "high", type: "number", step: "any", "aria-label": "Range to" });
@@ -55,7 +56,8 @@ export class Controls {
     for (const name of data.order) this.map.append(make("option", { value: name }, data.maps.get(name)!.title));
     this.map.append(make("option", { value: "" }, "Plain cloth"));
     this.map.value = array ?? "";
-    this.range.title = "Fixed ranges are the same in every report, so that garments can be compared";
+    this.range.title = "Round: holds 96 % of the cloth in every drape of this page. " +
+      "Fixed: the same in every report, so that garments can be compared. All values: least to greatest";
     data.postures.forEach((name, i) => this.posture.append(make("option", { value: String(i) }, name)));
     for (let k = 0; k < data.donnings; ++k)
       this.donning.append(make("option", { value: String(k) }, `${kOrdinals[k] ?? `${k + 1}th`} time`));

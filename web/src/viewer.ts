@@ -39,7 +39,7 @@ export class Viewer {
   private readonly siteMarks: Mark[] = [];
   private readonly placeMarks: Mark[] = [];
 
-  constructor(host: HTMLElement, private readonly data: Case) {
+  constructor(private readonly host: HTMLElement, private readonly data: Case) {
     this.state = data.state(0);
     this.array = this.wished = this.firstMap();
     const canvas = (label: string) => make("canvas", { tabindex: "0", role: "application", "aria-label": label });
@@ -75,6 +75,8 @@ export class Viewer {
     this.attributes.setState(this.state);
     const ink = () => this.ink();
     this.worn = new WornView(data, wornCanvas, wornOver, this.attributes, ink);
+    const view = kViews.find(([name]) => name === host.dataset.view);
+    if (view) this.worn.look(view[0], false); // the side of the first answer
     this.pattern = new PatternView(data, flatCanvas, flatOver, this.attributes, ink);
     this.legend = new Legend(legendCanvas);
     for (const [view, words] of kViews) {
@@ -111,7 +113,7 @@ export class Viewer {
 
   private firstMap(): string | null {
     const has = (a: string) => this.state.maps.has(a);
-    return ["distance_mm"].find(has) ?? this.data.order.find(has) ?? null;
+    return [this.host.dataset.map ?? "", "distance_mm"].find(has) ?? this.data.order.find(has) ?? null;
   }
 
   private ink(): Ink {
@@ -143,7 +145,7 @@ export class Viewer {
     this.wished = array;
     this.array = array !== null && this.state.maps.has(array) ? array : null;
     this.controls.map.value = this.array ?? "";
-    if (this.controls.range.value === "own") this.controls.range.value = "fixed";
+    if (this.controls.range.value === "own") this.controls.range.value = "fit";
     this.showMap();
   }
 
@@ -313,7 +315,7 @@ export class Viewer {
     const add = (list: Mark[], place: Place, ranked: RankedPlace | null) => {
       const point = this.pattern.findPlace(place);
       if (!point) return;
-      list.push({ point, name: place.name, label: ranked?.rank?.replace("=", "") ?? "–",
+      list.push({ point, name: place.name, label: ranked ? String(ranked.mark) : "–",
                   passes: ranked ? ranked.passes : null, chosen: false, near: false });
     };
     for (const site of this.data.sites) add(this.siteMarks, site, null);

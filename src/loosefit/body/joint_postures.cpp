@@ -107,8 +107,8 @@ std::optional<std::vector<JointAngle>> joint_angles(const std::string& name) {
   return angles;
 }
 
-Posture joint_posture(const std::vector<JointAngle>& angles) {
-  Posture posture = kStanding;
+Posture joint_posture(const std::vector<JointAngle>& angles, const Posture& from) {
+  Posture posture = from;
   for (const JointAngle& angle : angles) turn(posture, angle);
   return posture;
 }

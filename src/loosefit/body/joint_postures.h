@@ -49,8 +49,9 @@ std::string joint_posture_name(const std::vector<JointAngle>& angles);
 /// or anything else behind a joint.
 std::optional<std::vector<JointAngle>> joint_angles(const std::string& name);
 
-/// kStanding with these joints turned. \pre known joints within their range
-Posture joint_posture(const std::vector<JointAngle>& angles);
+/// A posture with these joints turned, each counted from standing. \pre known joints within their
+/// range
+Posture joint_posture(const std::vector<JointAngle>& angles, const Posture& from = kStanding);
 
 /// Regular expression of such names, for a schema; ranges are not in it.
 std::string joint_posture_pattern();

@@ -99,8 +99,25 @@ std::vector<std::string> posture_names() {
 }
 
 Posture named_posture(const std::string& name) {
-  for (const auto& [known, posture] : named_postures())
+  const std::size_t plus = name.find('+');
+  for (const auto& [known, posture] : named_postures()) {
     if (known == name) return posture;
+    if (plus == std::string::npos || name.substr(0, plus) != known) continue;
+    const std::string joints = name.substr(plus + 1);
+    const auto angles = joint_angles(joints);
+    if (!angles)
+      throw InvalidInput(
+          {"", 0, "posture"}, "\"" + printable(joints) + "\" behind " + known,
+          "joints with their angles in degrees, as in sitting+elbow-flexion-90", "");
+    for (const JointAngle& angle : *angles)
+      if (posture.sitting > 0 && (angle.joint.find("hip-") != std::string::npos ||
+                                  angle.joint.find("knee-") != std::string::npos))
+        throw InvalidInput({"", 0, "posture"}, "\"" + printable(name) + "\"",
+                           "joints of the arms, the trunk or the wrists: " + known +
+                               " tells where the legs are",
+                           "");
+    return joint_posture(*angles, posture);
+  }
   if (const auto angles = joint_angles(name)) return joint_posture(*angles);
   throw InvalidInput({"", 0, "posture"}, "\"" + printable(name) + "\"", "the name of a posture",
                      did_you_mean(name, posture_names()));

@@ -39,8 +39,11 @@ const std::vector<std::pair<std::string, Posture>>& named_postures();
 /// Names of the table.
 std::vector<std::string> posture_names();
 
-/// The posture of a name of the table, or of joint angles (joint_postures.h) as in
-/// "elbow-flexion-90". \throws InvalidInput for an unknown name, with a did-you-mean.
+/// The posture of a name of the table, of joint angles (joint_postures.h) as in "elbow-flexion-90",
+/// or of both, as in "sitting+elbow-flexion-90": the joints are turned to these angles, all else
+/// stays as in the named posture. \throws InvalidInput for an unknown name, with a did-you-mean;
+/// as joint_angles; for a joint that the named posture itself turns in another way (the hips of
+/// a sitter).
 Posture named_posture(const std::string& name);
 
 }  // namespace loosefit::body

@@ -84,7 +84,8 @@ double metres_per_unit(double stature, const ScanOptions& options,
         "say which it is, for example units = \"cm\" (loosefit body: --units cm)");
   }
   warnings.push_back(
-      fmt::format("no units given: the height of {:.4g} is taken as {}", stature, likely[0].name));
+      fmt::format("no units given: the scan's {:.4g} from end to end are taken as {}", stature,
+                  likely[0].name));
   return likely[0].metres;
 }
 

@@ -51,19 +51,23 @@ std::vector<std::string> read_sweep(ConfigReader table) {
 body::Posture posture_by_name(const std::string& name, const ConfigReader& table,
                               const std::string& key) {
   const std::vector<std::string> known = body::posture_names();
-  const bool named = std::ranges::find(known, name) != known.end();
+  const bool named = std::ranges::any_of(known, [&](const std::string& one) {
+    return name == one || name.starts_with(one + "+");  // with joints turned besides
+  });
   try {
     if (named || body::joint_angles(name)) return body::named_posture(name);
   } catch (const InvalidInput& error) {
     throw table.error(key, error.found(), error.expected(), error.hint());
   }
   throw table.error(key, toml_quoted(name),
-                    "texts from " + join(known) + ", or joints as in elbow-flexion-90",
+                    "texts from " + join(known) +
+                        ", or joints as in elbow-flexion-90, or both as in sitting+elbow-flexion-90",
                     closest_match(name, known).empty() ? "" : did_you_mean(name, known));
 }
 
 std::string posture_pattern() {
-  return "^(" + join(body::posture_names(), "|") + "|" + body::joint_posture_pattern() + ")$";
+  const std::string joints = body::joint_posture_pattern();
+  return "^((" + join(body::posture_names(), "|") + ")(\\+" + joints + ")?|" + joints + ")$";
 }
 
 std::vector<std::string> read_postures_section(ConfigReader table) {

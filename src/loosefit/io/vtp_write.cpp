@@ -107,7 +107,8 @@ void write(const std::filesystem::path& path, vtkPolyData* data) {
 void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& garment,
                      const drape::Drape& drape, const std::vector<maps::PerformanceMap>& maps,
                      const std::vector<VtpArray>& point_arrays,
-                     const std::vector<VtpArray>& cell_arrays) {
+                     const std::vector<VtpArray>& cell_arrays,
+                     const std::vector<body::Region>& regions) {
   const std::size_t points = garment.vertex_count, cells = garment.triangles.size();
   if (drape.positions.size() != points)
     throw InvalidInput("drape has " + std::to_string(drape.positions.size()) +
@@ -126,6 +127,14 @@ void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& 
   add_array(point_data, "panel_id", garment.vertex_panel);
   if (!drape.body_normal_force.empty())
     add_array(point_data, "body_normal_force_N", 1, drape.body_normal_force, points);
+  if (!regions.empty()) {
+    if (regions.size() != points)
+      throw InvalidInput("found " + std::to_string(regions.size()) + " regions, expected " +
+                         std::to_string(points) + ", one for each vertex");
+    std::vector<int> ids;
+    for (body::Region region : regions) ids.push_back(static_cast<int>(region));
+    add_array(point_data, "region_id", ids);
+  }
   for (const VtpArray& a : point_arrays)
     add_array(point_data, a.name, a.components, a.values, points);
 
@@ -150,6 +159,7 @@ void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& 
   add_array(field, "worn", {c.worn() ? 1 : 0});
   add_strings(field, "worn_reasons", c.worn_reasons);
   add_strings(field, "panel_names", garment.panel_names);
+  if (!regions.empty()) add_strings(field, "region_names", body::region_names());
   add_strings(field, "units", units_of(maps));
   write(path, data);
 }

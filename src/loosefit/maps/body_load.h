@@ -10,7 +10,8 @@
 namespace loosefit::maps {
 
 /// Gaps up to which cloth is told to be near the skin [m].
-inline constexpr std::array<double, 4> kNearGaps = {0.0005, 0.001, 0.002, 0.003};
+inline constexpr std::array<double, 7> kNearGaps = {0.0005, 0.001, 0.002, 0.003,
+                                                    0.005,  0.010, 0.020};
 
 /// How a garment presses on its wearer, in a few numbers that tell a loose garment from a tight
 /// one: cloth that hangs presses with a few times its weight at most, since friction and slopes

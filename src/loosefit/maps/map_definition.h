@@ -72,6 +72,10 @@ enum class OverStates {
   error_rms,        ///< of all states but the references, each against its own reference
   error_p95,
   error_of_donnings,  ///< RMS over pairs of donnings, in the reference posture
+  /// Of the state with the greatest error the turn about one axis of the sensor, with its sign.
+  turn_across,
+  turn_along,
+  turn_normal,
 };
 
 /// A metric by which a site is judged, made of one array; its unit is the array's.
@@ -80,6 +84,8 @@ struct SiteMetric {
   std::string words;  ///< "gap to the skin, worst 5 % of the footprint"
   OverFootprint footprint = OverFootprint::mean;
   OverStates states = OverStates::mean;
+  /// With OverFootprint::rigid: read in place of MapArray::rigid; null for that one.
+  ReadOrientation rigid = nullptr;
 };
 
 /// One array of a map and all that is known of it.

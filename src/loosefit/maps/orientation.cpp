@@ -13,6 +13,14 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
+double Orientation::tilt_across() const {
+  return std::cos(twist) * tilt_sagittal + std::sin(twist) * tilt_lateral;
+}
+
+double Orientation::tilt_along() const {
+  return std::cos(twist) * tilt_lateral - std::sin(twist) * tilt_sagittal;
+}
+
 double rotation_angle(const Mat3& r) {
   const Vec3 twice_sine(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
   return std::atan2(twice_sine.norm(), r.trace() - 1);

@@ -27,6 +27,10 @@ struct Orientation {
   /// About the normal, −π … π, positive counter-clockwise seen from outside.
   double twist = 0;
   double rotation = 0;  ///< total angle of R, 0 … π
+  /// τ about the axes of the garment frame instead, which the twist has turned against s and a: of
+  /// a sensor across and along its own axis.
+  double tilt_across() const;
+  double tilt_along() const;
 };
 
 /// \pre `relative` is a rotation, or NaN as the result then is. The tilts are NaN for opposite

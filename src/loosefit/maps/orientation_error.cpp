@@ -1,5 +1,6 @@
 #include "loosefit/maps/orientation_error.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,11 @@ namespace loosefit::maps {
 
 double calibrated_error(const Mat3& now, const Mat3& reference) {
   return rotation_angle(now * reference.transpose());
+}
+
+Vec3 calibrated_turn(const Mat3& now, const Mat3& reference) {
+  const Eigen::AngleAxisd turn(Mat3(reference.transpose() * now));
+  return turn.angle() * turn.axis();
 }
 
 ErrorSummary summarise(const std::vector<double>& errors) {

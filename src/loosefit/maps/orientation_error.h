@@ -10,6 +10,10 @@ namespace loosefit::maps {
 /// body frame has, as long as it is carried with the skin.
 double calibrated_error(const Mat3& now, const Mat3& reference);
 
+/// The same turn with its signs: the rotation vector of R_refᵀ R in the sensor's own axes, across
+/// it, along it and outwards, as they stood at R_ref [rad]. Its length is the calibrated error.
+Vec3 calibrated_turn(const Mat3& now, const Mat3& reference);
+
 /// A set of errors summed up.
 struct ErrorSummary {
   double rms = 0;

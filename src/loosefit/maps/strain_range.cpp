@@ -22,6 +22,9 @@ bool add(DirectionRange& range, double value, double area) {
   return beyond;
 }
 
+constexpr double kCrushed = -0.5;  ///< strain [–]
+constexpr double kTears = 0.35;    ///< where the card states nothing (docs/theory/materials.md 8) [–]
+
 constexpr double kTornShare = 0.5;   ///< of the cloth of a region
 constexpr double kTornArea = 20e-4;  ///< [m²], that no single bad triangle makes up
 
@@ -29,6 +32,12 @@ constexpr double kTornArea = 20e-4;  ///< [m²], that no single bad triangle mak
 double bears(double valid, double stretch) {
   const double most = drape::borne_strain(valid, stretch);
   return most > 0 ? most : std::numeric_limits<double>::infinity();
+}
+
+/// The same where nothing is stated, as of the toughest wovens.
+double tears_at(double valid, double stretch) {
+  const double most = bears(valid, stretch);
+  return std::isfinite(most) ? most : kTears;
 }
 
 }  // namespace
@@ -39,6 +48,8 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
   range.warp.limit = material.valid_strain_warp;
   range.weft.limit = material.valid_strain_weft;
   range.shear.limit = material.valid_shear;
+  const double warp_bears = tears_at(material.valid_strain_warp, material.stretch_warp),
+               weft_bears = tears_at(material.valid_strain_weft, material.stretch_weft);
   double total = 0;
   const std::vector<ClothStrain> strains = cloth_strains(garment, positions, material);
   for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -49,6 +60,13 @@ StrainRange strain_range(const garment::Garment& garment, const std::vector<Vec3
     const bool warp = add(range.warp, strain.warp, area), weft = add(range.weft, strain.weft, area);
     if (add(range.shear, std::abs(trellis_shear(f)), area) || warp || weft)
       range.share_beyond += area;
+    const TriangleStrain raw =
+        triangle_strain(garment_gradient(garment, static_cast<int>(t), positions));
+    const double least = std::min(raw.warp, raw.weft), most = std::max(raw.warp, raw.weft);
+    if (least < kCrushed) range.crushed.push_back(static_cast<int>(t));
+    if (raw.warp > warp_bears || raw.weft > weft_bears) range.torn.push_back(static_cast<int>(t));
+    range.least = std::min(range.least, least);
+    range.most = std::max(range.most, most);
   }
   if (total > 0)
     for (double* share : {&range.warp.share_beyond, &range.weft.share_beyond,

@@ -27,7 +27,7 @@ void write_worn_under(const std::filesystem::path& folder, const CaseResult& res
       io::write_drape_vtp(own / "drape.vtp", garment.mesh(), state->drapes[g]);
     } else {
       io::write_drape_vtp(own / "drape.vtp", garment.mesh(), garment.drape,
-                          plain_maps(garment.maps.maps));
+                          plain_maps(garment.maps.maps), {}, {}, garment.maps.worn.regions);
       io::write_garmentcode(own / "pattern.json", garment.pattern.pattern);
     }
   }
@@ -43,7 +43,7 @@ void write_states(const std::filesystem::path& folder, const CaseResult& result)
     const std::filesystem::path own = folder / state_folder(state);
     std::filesystem::create_directories(own);
     io::write_drape_vtp(own / "drape.vtp", result.studied().mesh(), state.drape(),
-                        plain_maps(state.maps.maps));
+                        plain_maps(state.maps.maps), {}, {}, state.maps.worn.regions);
     write_worn_under(own, result, &state);
     if (state.id.in_first_donning())
       io::write_body_vtp(own / "body.vtp", result.body_in(state.id.posture));
@@ -56,7 +56,8 @@ void write_states(const std::filesystem::path& folder, const CaseResult& result)
 void write_case_files(const std::filesystem::path& folder, const CaseResult& result) {
   const CaseGarment& studied = result.studied();
   const std::vector<maps::PerformanceMap> maps = plain_maps(studied.maps.maps);
-  io::write_drape_vtp(folder / "drape.vtp", studied.mesh(), studied.drape, maps);
+  io::write_drape_vtp(folder / "drape.vtp", studied.mesh(), studied.drape, maps, {}, {},
+                      studied.maps.worn.regions);
   write_worn_under(folder, result, nullptr);
   io::write_body_vtp(folder / "body.vtp", result.body.body);
   write_states(folder, result);

@@ -25,6 +25,9 @@ struct CaseMap {
   std::map<body::Region, maps::MapStatistics> regional;
 };
 
+/// The map of that array; nullptr where it was not made.
+const CaseMap* find_map(const std::vector<CaseMap>& maps, const std::string& array);
+
 /// Contact pressure of one garment: always made, the map "pressure" only shows it.
 struct CasePressure {
   maps::PressureField field;  ///< empty when the drape does not know its forces

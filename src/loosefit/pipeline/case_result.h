@@ -10,6 +10,7 @@
 #include "loosefit/lines/find_routes.h"
 #include "loosefit/lines/line_metrics.h"
 #include "loosefit/lines/sensitivity.h"
+#include "loosefit/pipeline/answer.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_garment.h"
 #include "loosefit/pipeline/case_state.h"
@@ -67,7 +68,7 @@ struct MapStage {
 struct SiteStage {
   std::vector<placement::Site> sites;  ///< on the studied garment, in the reference state
   std::vector<placement::UncoveredSite> uncovered;  ///< those that it does not cover
-  /// The same sensors in other states, as CaseWear::states; empty but in the reference posture.
+  /// The same sensors in other states, as CaseWear::states; empty for those that do not count.
   std::vector<std::vector<placement::Site>> in_states;
 };
 
@@ -112,6 +113,7 @@ struct CaseResult {
   std::vector<placement::UncoveredSite> uncovered_sites;
   std::vector<CaseLine> lines;  ///< of the sites that are lines
   std::vector<placement::UncoveredSite> lines_left_out;
+  std::vector<Answer> answers;  ///< what to sew where and what to expect (answers.h)
   CaseRepeats repeats;
   std::vector<StageClock::Entry> seconds;  ///< per stage, in order
   double peak_memory_mb = 0;

@@ -25,7 +25,7 @@ struct StateId {
 struct StateMaps {
   maps::WornGarment worn;
   maps::PressureField pressure;
-  /// In the reference posture the maps of the case; else slip against it in the same donning.
+  /// The maps of the case; in another posture then slip since the reference of the donning.
   std::vector<CaseMap> maps;
   std::map<body::Region, maps::WrinkleDirection> wrinkles;
 };
@@ -38,8 +38,7 @@ struct CaseState {
   double seconds = 0;                     ///< to drape it
   std::string left_out = {};              ///< why there is no drape to speak of; else empty
   StateMaps maps = {};                    ///< of a drape that counts
-  std::vector<placement::Site> sites =
-      {};  ///< the case's sites in this drape; reference posture only
+  std::vector<placement::Site> sites = {};  ///< the case's sites in this drape, if it counts
 
   bool draped() const { return !drapes.empty(); }
   /// Of the garment that is studied; certificate and report are those of all. \pre draped()

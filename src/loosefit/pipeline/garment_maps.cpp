@@ -24,6 +24,12 @@ CasePressure make_pressure(const DressedGarment& dressed, const maps::WornGarmen
 
 }  // namespace
 
+const CaseMap* find_map(const std::vector<CaseMap>& maps, const std::string& array) {
+  for (const CaseMap& entry : maps)
+    if (entry.map.array == array) return &entry;
+  return nullptr;
+}
+
 CaseMaps make_maps(const DressedGarment& dressed, const scenario::Scenario& scenario,
                    bool allow_unsettled) {
   CaseMaps made;

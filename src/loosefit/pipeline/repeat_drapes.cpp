@@ -8,11 +8,13 @@
 #include <set>
 
 #include "loosefit/base/text.h"
+#include "loosefit/pipeline/case_sites.h"
 #include "loosefit/pipeline/check_worn.h"
 #include "loosefit/pipeline/drape_side_by_side.h"
 #include "loosefit/pipeline/garment_maps.h"
 #include "loosefit/pipeline/put_on_garments.h"
 #include "loosefit/pipeline/simulation_options.h"
+#include "loosefit/pipeline/site_values.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -27,8 +29,8 @@ Samples samples_of(const std::vector<CaseMap>& maps, const std::vector<placement
   };
   for (const CaseMap& map : maps) take(map_spread_key(map.map.array), map.overall.area_mean);
   for (const placement::Site& site : sites)
-    for (const auto& [array, value] : site.map_values)
-      take(site_spread_key(site.name, array), value.mean);
+    for (const auto& [name, value] : site_values(site))
+      if (!name.ends_with("_worst")) take(site_spread_key(site.name, name), value);
   return samples;
 }
 
@@ -82,9 +84,7 @@ Repeat drape_again(const CaseResult& result, int repeat, int sharing, Progress& 
   const garment::Garment& mesh = result.studied().mesh();
   const CaseMaps maps =
       make_maps({mesh, drape, scenario.studied().material.material, body.body}, scenario, false);
-  const std::vector<placement::Site> sites = placement::revisit_sites(
-      result.sites, mesh, drape.positions, body.body, maps.worn, plain_maps(maps.maps));
-  made.samples = samples_of(maps.maps, sites);
+  made.samples = samples_of(maps.maps, sites_in_drape(result, drape, maps, body.body));
   return made;
 }
 
@@ -112,7 +112,10 @@ CaseRepeats repeat_drapes(const CaseResult& result, int at_once, Progress& progr
   progress.stage("repeats");
   std::vector<Repeat> made(repeats);
   if (result.certificate().holds())
-    made.front().samples = samples_of(result.studied().maps.maps, result.sites);
+    made.front().samples =
+        samples_of(result.studied().maps.maps,
+                   sites_in_drape(result, result.studied().drape, result.studied().maps,
+                                  result.body.body));
   std::vector<DrapeJob> jobs;
   for (int repeat = 1; repeat < repeats; ++repeat)
     jobs.push_back({fmt::format("repeat {}", repeat + 1),
@@ -131,8 +134,8 @@ CaseRepeats known_repeats(const CaseResult& result) {
   std::set<std::string> known;
   for (const CaseMap& map : result.studied().maps.maps) known.insert(map_spread_key(map.map.array));
   for (const placement::Site& site : result.sites)
-    for (const auto& [array, value] : site.map_values)
-      known.insert(site_spread_key(site.name, array));
+    for (const auto& entry : site_values(site))
+      known.insert(site_spread_key(site.name, entry.first));
   CaseRepeats repeats = result.repeats;
   std::erase_if(repeats.spread, [&](const auto& entry) { return !known.contains(entry.first); });
   return repeats;

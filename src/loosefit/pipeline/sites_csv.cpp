@@ -6,24 +6,26 @@
 
 #include "loosefit/io/address_columns.h"
 #include "loosefit/io/csv.h"
+#include "loosefit/pipeline/site_values.h"
 
 namespace loosefit::pipeline {
 
 std::string sites_csv(const std::vector<placement::Site>& sites,
                       const std::vector<placement::UncoveredSite>& uncovered,
                       const std::vector<CaseLine>& lines) {
-  // Sites may lack a map: the columns are those of all sites together.
-  std::set<std::string> arrays;
-  for (const placement::Site& site : sites)
-    for (const auto& entry : site.map_values) arrays.insert(entry.first);
-  // Header: place, anatomical address, two columns per map, cover.
+  // Sites may lack a value: the columns are those of all sites together.
+  std::vector<std::map<std::string, double>> values;
+  std::set<std::string> names;
+  for (const placement::Site& site : sites) {
+    values.push_back(site_values(site));
+    for (const auto& entry : values.back()) names.insert(entry.first);
+  }
+  // Header: place, anatomical address, footprint, the values, cover.
   std::vector<std::string> row = {"name", "region", "panel", "u_m",      "v_m",
                                   "x_m",  "y_m",    "z_m",   "angle_deg"};
   row.insert(row.end(), io::address_columns().begin(), io::address_columns().end());
-  for (const std::string& array : arrays) {
-    row.push_back(array);
-    row.push_back(array + "_worst");
-  }
+  row.push_back("footprint");
+  row.insert(row.end(), names.begin(), names.end());
   row.insert(row.end(), {"covered", "why_not_covered"});
   const std::size_t cover = row.size() - 2;
   // Lines have columns of their own, which are there with lines only.
@@ -33,17 +35,18 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
   const std::size_t columns = row.size();
   std::string text = io::csv_line(row);
   // Sites on the garment; a value that is missing is an empty field.
-  for (const placement::Site& site : sites) {
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const placement::Site& site = sites[i];
     row = {io::csv_field(site.name), io::csv_field(body::name(site.region)),
            io::csv_field(site.panel)};
     for (double value : {site.at.x(), site.at.y(), site.position.x(), site.position.y(),
                          site.position.z(), std::round(degrees(site.angle) * 1e8) / 1e8})
       row.push_back(io::csv_field(value));
     for (const std::string& field : io::address_fields(site.anatomy)) row.push_back(field);
-    for (const std::string& array : arrays) {
-      const auto value = site.map_values.find(array);
-      row.push_back(value == site.map_values.end() ? "" : io::csv_field(value->second.mean));
-      row.push_back(value == site.map_values.end() ? "" : io::csv_field(value->second.worst));
+    row.push_back(io::csv_field(in_words(site.shape)));
+    for (const std::string& name : names) {
+      const auto value = values[i].find(name);
+      row.push_back(value == values[i].end() ? "" : io::csv_field(value->second));
     }
     row.push_back(site.not_covering.empty() ? "yes" : "no");
     row.push_back(io::csv_field(site.not_covering));

@@ -7,8 +7,8 @@
 namespace loosefit::pipeline {
 
 /// Sites as CSV (RFC 4180), one row per site: name, region, panel, u_m, v_m, x_m, y_m, z_m,
-/// angle_deg, address_columns(), then per map array the footprint mean and `<array>_worst`, then
-/// `covered` (yes, no) and why not. Same columns in every row; of what is in `uncovered`, presets
+/// angle_deg, address_columns(), footprint in words, then all site_values() by name, then `covered`
+/// (yes, no) and why not. Same columns in every row; of what is in `uncovered`, presets
 /// left out, only the name and these two are known. With lines there are the columns `kind` (place,
 /// line), length_cut_m, length_worn_m, elongation (reference state) and elongation_largest besides,
 /// and a row for each line.

@@ -22,6 +22,8 @@ void for_each_that_counts(const std::vector<CaseState>& states, const Visit& vis
   });
 }
 
+const char* const kSlipArray = "slip_mm";
+
 std::vector<CaseMap> all_with_statistics(std::vector<maps::PerformanceMap> maps,
                                          const maps::WornGarment& worn) {
   std::vector<CaseMap> all;
@@ -61,11 +63,9 @@ std::vector<StateMaps> map_states(const CaseResult& draped, const maps::WornGarm
       made.pressure =
           maps::contact_pressure(mesh, drape, body, material, scenario.simulation.gravity);
     made.wrinkles = maps::regional_wrinkles(mesh, made.worn);
-    if (states[i].id.in_reference_posture())
-      made.maps =
-          all_with_statistics(maps::compute_maps(mesh, drape, made.worn, scenario.output.maps,
-                                                 {false, &made.pressure, &material}),
-                              made.worn);
+    made.maps = all_with_statistics(maps::compute_maps(mesh, drape, made.worn, scenario.output.maps,
+                                                       {false, &made.pressure, &material}),
+                                    made.worn);
   });
 
   // Slip against the reference posture of the same donning.
@@ -74,8 +74,9 @@ std::vector<StateMaps> map_states(const CaseResult& draped, const maps::WornGarm
     if (id.in_reference_posture()) return;
     const maps::DressedState now{states[i].drape().positions, draped.body_in(id.posture),
                                  all[i].worn};
-    all[i].maps = all_with_statistics(
-        maps::slip_maps(mesh, reference_of(id, draped, reference, all), now), all[i].worn);
+    for (CaseMap& slip : all_with_statistics(
+             maps::slip_maps(mesh, reference_of(id, draped, reference, all), now), all[i].worn))
+      all[i].maps.push_back(std::move(slip));
   });
   return all;
 }
@@ -88,7 +89,7 @@ std::vector<CaseMap> posture_maps(const CaseResult& draped, const maps::WornGarm
     const CaseState& state = draped.wear.states[i];
     if (!state.id.in_first_donning() || !state.counts()) continue;
     others.push_back({state.drape().positions, draped.body_in(state.id.posture), states[i].worn});
-    const maps::PerformanceMap& here = states[i].maps.front().map;
+    const maps::PerformanceMap& here = find_map(states[i].maps, kSlipArray)->map;
     if (slip.values.empty()) {
       slip = here;
       slip.title = "Slip on the skin, greatest over postures";

@@ -6,7 +6,7 @@
 namespace loosefit::pipeline {
 
 /// Stage "maps" of the studied garment in every state but the reference: `reference` is how it is
-/// worn there. In the reference posture the maps of the scenario, in the others slip; in all the
+/// worn there. The maps of the scenario, in other postures than the reference followed by slip; the
 /// pressure and the wrinkles. Empty for states that do not count.
 std::vector<StateMaps> map_states(const CaseResult& draped, const maps::WornGarment& reference);
 

@@ -12,9 +12,11 @@
 #include "loosefit/io/material_origin.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
+#include "loosefit/pipeline/answers_json.h"
 #include "loosefit/pipeline/case_ease.h"
 #include "loosefit/pipeline/draped_from.h"
 #include "loosefit/pipeline/lines_json.h"
+#include "loosefit/pipeline/site_values.h"
 #include "loosefit/pipeline/wear_states.h"
 
 namespace loosefit::pipeline {
@@ -27,13 +29,23 @@ Json statistics_json(const maps::MapStatistics& s) {
           {"p95", s.p95}, {"max", s.max}, {"area_mean", s.area_mean}};
 }
 
-Json maps_json(const std::vector<CaseMap>& maps) {
+/// `worn`: the garment in that state.
+Json maps_json(const std::vector<CaseMap>& maps, const garment::Garment& garment,
+               const maps::WornGarment& worn) {
   Json json = Json::object();
   for (const CaseMap& map : maps) {
     Json& entry = json[map.map.array] = statistics_json(map.overall);
     entry["undefined_vertices"] = map.overall.undefined;
     for (const auto& [region, statistics] : map.regional)
       entry["regions"][body::name(region)] = statistics_json(statistics);
+    if (worn.areas.size() != map.map.values.size()) continue;  // not made of this drape
+    for (int p = 0; p < static_cast<int>(garment.panel_names.size()); ++p) {
+      std::vector<double> areas = worn.areas;
+      for (std::size_t v = 0; v < areas.size(); ++v)
+        if (garment.vertex_panel[v] != p) areas[v] = 0;
+      const maps::MapStatistics own = maps::statistics(map.map.values, areas);
+      if (own.area > 0) entry["panels"][garment.panel_names[p]] = statistics_json(own);
+    }
   }
   return json;
 }
@@ -95,6 +107,10 @@ Json strain_range_json(const maps::StrainRange& range, const scenario::MaterialC
           {"weft", direction(range.weft)},
           {"shear_rad", direction(range.shear)},
           {"share_beyond", range.share_beyond},
+          {"crushed_triangles", range.crushed.size()},
+          {"torn_triangles", range.torn.size()},
+          {"least_of_any_triangle", range.least},
+          {"greatest_of_any_triangle", range.most},
           {"source", card.valid_strain_source}};
 }
 
@@ -173,7 +189,7 @@ Json garments_json(const CaseResult& result) {
     Json entry = garment_json(garment, result.scenario.garments[g].material);
     if (g + 1 < result.garments.size()) {
       entry["fit"] = fit_json(garment);
-      entry["maps"] = maps_json(garment.maps.maps);
+      entry["maps"] = maps_json(garment.maps.maps, garment.mesh(), garment.maps.worn);
       if (!garment.maps.pressure.field.empty())
         entry["pressure"] = pressure_json(garment.maps.pressure);
     }
@@ -182,7 +198,8 @@ Json garments_json(const CaseResult& result) {
   return json;
 }
 
-Json site_json(const placement::Site& site) {
+/// `by_donning`: also every sample of the sensor, not their medians alone.
+Json site_json(const placement::Site& site, bool by_donning) {
   Json json = {{"panel", site.panel},
                {"u_m", site.at.x()},
                {"v_m", site.at.y()},
@@ -198,9 +215,16 @@ Json site_json(const placement::Site& site) {
         {"side", io::side_name(*site.anatomy)},
         {"percent",
          {site.anatomy->percent.x(), site.anatomy->percent.y(), site.anatomy->percent.z()}}};
-  for (const auto& [array, value] : site.map_values) {
-    json[array] = value.mean;
-    json[array + "_worst"] = value.worst;
+  json["footprint"] = Json::parse(footprint_json(site.shape));
+  for (const auto& [name, value] : site_values(site)) json[name] = value;
+  if (by_donning) {
+    Json& all = json["by_donning"] = Json::object();
+    for (std::size_t k = 0; k < site.samples.size(); ++k)
+      for (const auto& [name, value] : site.samples[k]) {
+        Json& list = all[name];
+        if (list.is_null()) list = Json(std::vector<Json>(site.samples.size(), nullptr));
+        list[k] = std::isfinite(value) ? Json(value) : Json(nullptr);
+      }
   }
   return json;
 }
@@ -324,7 +348,7 @@ Json donnings_json(const std::vector<CaseDonning>& donnings) {
 }
 
 /// Postures, donnings, and what became of each of their drapes.
-void add_wear(const CaseWear& wear, Json& json) {
+void add_wear(const CaseWear& wear, const garment::Garment& garment, Json& json) {
   json["postures"] = wear.postures;
   json["donnings"] = donnings_json(wear.donnings);
   json["states"] = Json::array();
@@ -351,9 +375,9 @@ void add_wear(const CaseWear& wear, Json& json) {
     add_grade(c, entry);
     if (s.draped() && s.drape().unsettled)
       entry["unsettled"] = unsettled_json(*s.drape().unsettled);
-    if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps);
+    if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps, garment, s.maps.worn);
     if (!s.maps.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.maps.wrinkles);
-    for (const placement::Site& site : s.sites) entry["sites"][site.name] = site_json(site);
+    for (const placement::Site& site : s.sites) entry["sites"][site.name] = site_json(site, false);
     if (!report.parts.empty()) entry["parts"] = parts_json(report.parts);
     json["states"].push_back(std::move(entry));
   }
@@ -402,6 +426,8 @@ std::string summary_json(const CaseResult& result) {
   if (studied.drape.unsettled)
     json["settle"]["unsettled"] = unsettled_json(*studied.drape.unsettled);
 
+  json["answers"] = Json::parse(answers_json(result.answers));
+
   // Who wears what.
   json["body"] = body_json(result.body);
   json["fit"] = fit_json(studied);
@@ -411,18 +437,18 @@ std::string summary_json(const CaseResult& result) {
   if (!result.worn_under().empty()) json["garments"] = garments_json(result);
 
   // Maps, states, sites and spreads.
-  json["maps"] = maps_json(maps.maps);
+  json["maps"] = maps_json(maps.maps, mesh, maps.worn);
   if (!maps.wrinkles.empty()) json["wrinkles"] = wrinkles_json(maps.wrinkles);
   if (!maps.pressure.field.empty()) json["pressure"] = pressure_json(maps.pressure);
   if (maps.load) json["load"] = load_json(*maps.load);
   if (!maps.maps.empty())
     json["strain_range"] = strain_range_json(maps.strain_range, result.scenario.studied().material);
   if (!result.wear.postures.empty())
-    add_wear(result.wear, json);
+    add_wear(result.wear, mesh, json);
   else if (result.scenario.donning.first_drawn)
     json["donnings"] = donnings_json(planned_donnings(result.scenario.donning));
   json["sites"] = Json::object();
-  for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site);
+  for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site, true);
   for (const CaseLine& line : result.lines)
     json["lines"][line.name] = Json::parse(lines_json(line, mesh));
   for (const placement::UncoveredSite& line : result.lines_left_out)

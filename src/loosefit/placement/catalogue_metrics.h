@@ -10,6 +10,7 @@ struct FootprintReading {
   const maps::MapDefinition* map = nullptr;
   const maps::MapArray* array = nullptr;
   maps::OverFootprint over = maps::OverFootprint::mean;
+  maps::ReadOrientation rigid = nullptr;  ///< of OverFootprint::rigid
 };
 
 /// All that the metrics of the catalogue need, each once, in its order.
@@ -18,7 +19,8 @@ const std::vector<FootprintReading>& footprint_readings();
 /// Index into footprint_readings() of an array and how it is summed up over the footprint.
 /// \throws Error when no metric of the catalogue is made of it.
 int footprint_reading(const std::string& array,
-                      maps::OverFootprint over = maps::OverFootprint::mean);
+                      maps::OverFootprint over = maps::OverFootprint::mean,
+                      maps::ReadOrientation rigid = nullptr);
 
 /// A metric of the catalogue (maps/catalogue.h) and what it is made of.
 struct CatalogueMetric {

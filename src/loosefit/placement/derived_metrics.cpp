@@ -19,6 +19,21 @@ struct Derived {
   std::function<double(const Inputs& metric, const Inputs& parameter, const FootprintShape&)> value;
 };
 
+/// Half of the longest side or of the diameter [m]; NaN for a girth, which has no end.
+double outer_extent(const FootprintShape& shape) {
+  switch (shape.kind) {
+    case FootprintShape::Kind::disc:
+      return shape.radius;
+    case FootprintShape::Kind::rectangle:
+      return 0.5 * shape.size.maxCoeff();
+    case FootprintShape::Kind::line:
+      return 0.5 * shape.length;
+    case FootprintShape::Kind::girth:
+      break;
+  }
+  return std::nan("");
+}
+
 const std::vector<Derived>& derived() {
   static const std::vector<Derived> kAll = {
       {"usable_signal_ratio",
@@ -57,8 +72,7 @@ const std::vector<Derived>& derived() {
        {},
        {},
        [](const Inputs&, const Inputs&, const FootprintShape& footprint) {
-         return footprint.kind == FootprintShape::Kind::disc ? 2e3 * footprint.radius
-                                                             : std::nan("");
+         return 2e3 * outer_extent(footprint);
        }},
   };
   return kAll;

@@ -29,13 +29,12 @@ std::vector<std::string> parameters_of(const std::string& metric);
 ///
 ///   usable_signal_ratio = strain_swing / ε_err
 ///   pre_strain_margin   = strain − strain_swing   (≥ 0: no posture makes the sensor slack, since
-///   no
-///                                                  shortening can exceed the whole swing)
+///                                                  no shortening can exceed the whole swing)
 ///   strain_peak         = strain + strain_swing
 ///   capacitance_pF      = ε₀ A / (t/ε_r + g)
 ///   capacitance_swing   = Δg / (g + t/ε_r)
 ///   temperature_error_K = (T_skin − T_air) R_gap / (R_gap + R_out),  R_gap = g / (0.026 W/(m K))
-///   sensor_diameter_mm  = 2 r of a disc
+///   sensor_diameter_mm  = 2 r of a disc, the longer side of a rectangle, the length of a line
 ///
 /// with g the footprint's mean gap, Δg its range over postures, A and r of the footprint, ε_err
 /// strain_error, t dielectric_thickness, ε_r dielectric_constant, R_out outer_resistance. The mean

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/maps/statistics.h"
 #include "loosefit/placement/footprint_unfold.h"
 
@@ -81,6 +82,23 @@ Footprint of_line(const garment::Garment& garment, int triangle, const Vec2& cen
 }
 
 }  // namespace
+
+std::string in_words(const FootprintShape& footprint) {
+  const auto millimetres = [](double metres) {
+    return shortest(std::round(1e4 * metres) / 10 + 0.0);
+  };
+  switch (footprint.kind) {
+    case FootprintShape::Kind::disc:
+      return "disc of " + millimetres(2 * footprint.radius) + " mm";
+    case FootprintShape::Kind::rectangle:
+      return millimetres(footprint.size.x()) + " x " + millimetres(footprint.size.y()) + " mm";
+    case FootprintShape::Kind::line:
+      return "line of " + millimetres(footprint.length) + " mm";
+    case FootprintShape::Kind::girth:
+      break;
+  }
+  return "girth";
+}
 
 double area(const FootprintShape& footprint) {
   if (footprint.kind == FootprintShape::Kind::disc)

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "loosefit/garment/garment.h"
@@ -55,6 +56,9 @@ Footprint footprint(const garment::Garment& garment, const std::vector<Vec3>& po
 /// \throws InvalidInput for a normal of length zero.
 Footprint girth_footprint(const garment::Garment& garment, const std::vector<Vec3>& positions,
                           int triangle, const Vec3& barycentric, const Vec3& normal);
+
+/// "disc of 24 mm", "40 x 30 mm" (across and along the axis), "line of 60 mm", "girth".
+std::string in_words(const FootprintShape& footprint);
 
 /// Area of a footprint [m²]; 0 for a line and a girth.
 double area(const FootprintShape& footprint);

@@ -40,26 +40,30 @@ void append(WearerSamples more, WearerSamples& all) {
 
 }  // namespace
 
+void give_sensor(const RankingGround& ground, const Scorecard& scorecard,
+                 std::vector<Site>& sites) {
+  const SegmentDirection directions(ground.garment, ground.positions, ground.body, ground.worn);
+  for (Site& site : sites) {
+    if (site.shape.kind == Kind::girth || states_footprint(site)) continue;
+    site.shape = scorecard.footprint;
+    site.footprint = {};
+    if (site.preset || site.angle == 0)
+      site.angle = scorecard.around ? directions.around(site.point.triangle)
+                                    : directions.along(site.point.triangle);
+  }
+}
+
 std::vector<Site> sites_with_sensor(const RankingGround& ground, const std::vector<Site>& sites,
                                     const Scorecard& scorecard,
                                     std::vector<std::string>& left_out) {
-  const SegmentDirection directions(ground.garment, ground.positions, ground.body, ground.worn);
   std::vector<Site> kept;
-  for (const Site& given : sites) {
-    Site site = given;
-    if (site.shape.kind == Kind::girth && !is_line(scorecard.footprint)) {
+  for (const Site& site : sites) {
+    if (site.shape.kind == Kind::girth && !is_line(scorecard.footprint))
       left_out.push_back(site.name);
-      continue;
-    }
-    if (site.shape.kind != Kind::girth && !states_footprint(site)) {
-      site.shape = scorecard.footprint;
-      site.footprint = {};
-      if (site.preset || site.angle == 0)
-        site.angle = scorecard.around ? directions.around(site.point.triangle)
-                                      : directions.along(site.point.triangle);
-    }
-    kept.push_back(site);
+    else
+      kept.push_back(site);
   }
+  give_sensor(ground, scorecard, kept);
   return described(ground, kept);
 }
 

@@ -16,10 +16,13 @@ struct RankingWearer {
   std::vector<Site> sites = {};
 };
 
-/// The given sites with the scorecard's sensor in place of theirs, described anew: its footprint,
-/// its axis along or around the segment (a stated angle other than 0 is kept). A site that was
-/// asked for by name and states a footprint of its own keeps it with its angle. Girth lines stay
-/// when the scorecard's sensor is a line, and are left out, named in `left_out`, when it is not.
+/// Gives sites the scorecard's sensor: its footprint, its axis along or around the segment (a stated
+/// angle other than 0 is kept). A site that was asked for by name and states a footprint of its own
+/// keeps it with its angle; girth lines stay. What depends on the footprint is to be made anew.
+void give_sensor(const RankingGround& ground, const Scorecard& scorecard, std::vector<Site>& sites);
+
+/// The same sites described anew. Girth lines are left out, named in `left_out`, when the
+/// scorecard's sensor is no line.
 std::vector<Site> sites_with_sensor(const RankingGround& ground, const std::vector<Site>& sites,
                                     const Scorecard& scorecard, std::vector<std::string>& left_out);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "loosefit/placement/derived_metrics.h"
+
 namespace loosefit::placement {
 
 SensorProbe::SensorProbe(const RankingGround& ground, const Scorecard& scorecard)
@@ -32,7 +34,7 @@ bool SensorProbe::covers(const PatternPlace& place) const {
       .empty();
 }
 
-WearerSamples SensorProbe::at(const Site& site) const {
+SensorPatch SensorProbe::patch_of(const Site& site) const {
   SensorPatch patch{site.footprint,
                     ground_.garment.triangle_panel[site.point.triangle],
                     axis_in_pattern(site.angle),
@@ -40,7 +42,21 @@ WearerSamples SensorProbe::at(const Site& site) const {
   if (site.shape.kind == FootprintShape::Kind::girth)
     for (const Footprint::Sample& sample : site.footprint.samples)
       patch.sample_directions.push_back(axis_in_pattern(directions_.around(sample.triangle)));
-  return measured(patch);
+  return patch;
+}
+
+WearerSamples SensorProbe::at(const Site& site) const {
+  return measured(patch_of(site), site.shape);
+}
+
+std::vector<MetricValues> SensorProbe::in_states(const Site& site) const {
+  const std::vector<SiteState> states = ground_.meter.measure(patch_of(site));
+  std::vector<MetricValues> all;
+  for (std::size_t k = 0; k < states.size(); ++k)
+    all.push_back(
+        with_derived(site_metrics_of_state(states, k, ground_.meter.reference_posture()),
+                     scorecard_.parameters, site.shape));
+  return all;
 }
 
 WearerSamples SensorProbe::at(const PatternPlace& place, const FootprintShape& shape,
@@ -50,11 +66,15 @@ WearerSamples SensorProbe::at(const PatternPlace& place, const FootprintShape& s
                               shape, turn, &neighbours_);
   patch.panel = place.panel;
   patch.direction = axis_in_pattern(turn);
-  return measured(patch);
+  return measured(patch, shape);
 }
 
-WearerSamples SensorProbe::measured(const SensorPatch& patch) const {
-  return site_metrics_by_donning(ground_.meter.measure(patch), ground_.meter.reference_posture());
+WearerSamples SensorProbe::measured(const SensorPatch& patch, const FootprintShape& shape) const {
+  WearerSamples samples =
+      site_metrics_by_donning(ground_.meter.measure(patch), ground_.meter.reference_posture());
+  for (MetricValues& metrics : samples)
+    metrics = with_derived(metrics, scorecard_.parameters, shape);
+  return samples;
 }
 
 }  // namespace loosefit::placement

@@ -43,8 +43,10 @@ class SensorProbe {
   /// Whether there is skin under a place.
   bool covers(const PatternPlace& place) const;
 
-  /// The sensor of a site where the site is.
+  /// The sensor of a site where the site is; derived metrics are those of its footprint.
   WearerSamples at(const Site& site) const;
+  /// The same in every state that counts, one by one.
+  std::vector<MetricValues> in_states(const Site& site) const;
   /// A disc, rectangle or line at a place; `turn` is the angle of its axis.
   WearerSamples at(const PatternPlace& place, const FootprintShape& shape, double turn) const;
 
@@ -52,7 +54,8 @@ class SensorProbe {
   const PatternLocator& locator() const { return locator_; }
 
  private:
-  WearerSamples measured(const SensorPatch& patch) const;
+  SensorPatch patch_of(const Site& site) const;
+  WearerSamples measured(const SensorPatch& patch, const FootprintShape& shape) const;
 
   const RankingGround ground_;
   const Scorecard& scorecard_;

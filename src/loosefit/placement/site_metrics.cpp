@@ -95,6 +95,12 @@ class Summary {
       case maps::OverStates::error_p95:
         return set(source, calibrated_errors(),
                    [](const Values& v) { return maps::summarise(v).p95; });
+      case maps::OverStates::turn_across:
+        return set(source, greatest_turn(0), mean);
+      case maps::OverStates::turn_along:
+        return set(source, greatest_turn(1), mean);
+      case maps::OverStates::turn_normal:
+        return set(source, greatest_turn(2), mean);
       case maps::OverStates::error_of_donnings:
         return;  // over pairs of donnings, which one donning by itself has not: see below
     }
@@ -113,15 +119,33 @@ class Summary {
       if (const Values values = read(own, of); values.size() > 1) ranges.push_back(range(values));
     return ranges;
   }
-  /// Of all states but the references, each against its own reference.
-  Values calibrated_errors() const {
-    Values errors;
+  /// Of all states but the references, each against its own reference: visit(now, then).
+  template <class Visit>
+  void for_each_turn(const Visit& visit) const {
     for (const SiteState& s : others_)
       for (const SiteState& reference : references_)
         if (reference.donning == s.donning && reference.on_skin.allFinite() &&
             s.on_skin.allFinite())
-          errors.push_back(maps::calibrated_error(s.on_skin, reference.on_skin));
+          visit(s.on_skin, reference.on_skin);
+  }
+  Values calibrated_errors() const {
+    Values errors;
+    for_each_turn([&](const Mat3& now, const Mat3& then) {
+      errors.push_back(maps::calibrated_error(now, then));
+    });
     return errors;
+  }
+  /// One component of the greatest turn; none without turns.
+  Values greatest_turn(int axis) const {
+    Values component;
+    double size = -1;
+    for_each_turn([&](const Mat3& now, const Mat3& then) {
+      const Vec3 turn = maps::calibrated_turn(now, then);
+      if (turn.norm() <= size) return;
+      size = turn.norm();
+      component = {turn[axis]};
+    });
+    return component;
   }
 
   const std::vector<SiteState>& states_;
@@ -161,6 +185,26 @@ std::vector<std::map<std::string, double>> site_metrics_by_donning(
     if (!errors.empty()) all.back()["donning_coe_deg"] = degrees(maps::summarise(errors).rms);
   }
   return all;
+}
+
+std::map<std::string, double> site_metrics_of_state(const std::vector<SiteState>& states,
+                                                    std::size_t index, int reference_posture) {
+  const SiteState& state = states.at(index);
+  std::map<std::string, double> own = summarised({state}, state.posture);
+  if (state.posture == reference_posture) return own;
+  // Turn and slip are those since the reference posture of the same donning.
+  for (const SiteState& reference : states) {
+    if (reference.posture != reference_posture || reference.donning != state.donning) continue;
+    const std::map<std::string, double> change =
+        summarised({reference, state}, reference_posture);
+    for (const CatalogueMetric& source : catalogue_metrics()) {
+      const bool compares =
+          source.reading < 0 || source.metric->states == maps::OverStates::greatest_change;
+      const auto found = change.find(source.metric->name);
+      if (compares && found != change.end()) own.insert(*found);
+    }
+  }
+  return own;
 }
 
 SiteMeter::SiteMeter(const garment::Garment& garment, const fabric::Material& material,

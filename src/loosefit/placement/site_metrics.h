@@ -19,6 +19,9 @@ namespace loosefit::placement {
 /// | angular_deviation_deg, rotation_deg,   | in the reference posture                            |
 /// | tilt_sagittal_deg, tilt_lateral_deg,   | (angles with a sign keep it)                        |
 /// | twist_deg                              |                                                     |
+/// | tilt_across_deg, tilt_along_deg        | the same tilt about the sensor's own axes           |
+/// | coe_across_deg, coe_along_deg,         | in the state of the greatest calibrated error, its  |
+/// | coe_normal_deg                         | turn about the sensor's axes, with its sign         |
 /// | coe_rms_deg, coe_p95_deg               | calibrated orientation error over all states but    |
 /// |                                        | the reference, each against it                      |
 /// | donning_coe_deg                        | RMS over the other donnings of the angle between    |
@@ -40,6 +43,12 @@ namespace loosefit::placement {
 /// donnings. (docs/theory/sensor_metrics.md 3 to 7.)
 std::vector<std::map<std::string, double>> site_metrics_by_donning(
     const std::vector<SiteState>& states, int reference_posture = 0);
+
+/// The numbers of one of these states by itself, under the same names: as if its posture were the
+/// reference; in another posture also turn and slip since the reference posture of its donning.
+/// What compares several postures (swings, duty) is left out.
+std::map<std::string, double> site_metrics_of_state(const std::vector<SiteState>& states,
+                                                    std::size_t index, int reference_posture = 0);
 
 /// Measures sensors over all states of a study. Finds bodies once, so that many places can be
 /// tried.

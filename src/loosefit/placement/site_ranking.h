@@ -22,6 +22,7 @@ struct RankingWish {
   /// Judge by the criteria that the states can tell when some need more postures or donnings; the
   /// scores are then upper bounds and the table says so.
   bool partial = false;
+  bool tolerances = true;  ///< how far given sites may be off; costs most of the time
   std::function<void(double)> progress = {};  ///< of the search: SearchField::progress
 };
 

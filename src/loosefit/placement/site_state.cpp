@@ -173,7 +173,7 @@ void StateMeter::add_readings(const SensorPatch& patch, const std::vector<Sample
     const maps::MapArray& array = *reading.array;
     if (reading.over == maps::OverFootprint::rigid) {
       const auto* of_slip = std::get_if<maps::ReadSlip>(&array.read);
-      site.readings.push_back(of_slip ? (*of_slip)(site.slip) : array.rigid(site.orientation));
+      site.readings.push_back(of_slip ? (*of_slip)(site.slip) : reading.rigid(site.orientation));
       continue;
     }
     if (summed_up != &array)

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/placement/shift_along_cloth.h"
 #include "loosefit/placement/site_points.h"
@@ -113,6 +114,16 @@ InvalidInput over_the_edge(const SiteSpec& spec) {
 }
 
 }  // namespace
+
+MetricValues Site::metrics() const {
+  std::map<std::string, std::vector<double>> known;
+  for (const MetricValues& sample : samples)
+    for (const auto& [metric, value] : sample)
+      if (std::isfinite(value)) known[metric].push_back(value);
+  MetricValues medians;
+  for (const auto& [metric, values] : known) medians[metric] = median(values);
+  return medians;
+}
 
 void check_sites(const garment::Garment& garment, const body::Body& body,
                  const std::vector<SiteSpec>& wished) {

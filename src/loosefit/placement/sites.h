@@ -11,6 +11,7 @@
 #include "loosefit/placement/address.h"
 #include "loosefit/placement/address_garment.h"
 #include "loosefit/placement/footprint.h"
+#include "loosefit/placement/metric_names.h"
 #include "loosefit/placement/site_spec.h"
 
 namespace loosefit::placement {
@@ -34,6 +35,12 @@ struct Site {
   double segment_angle = 0;
   bool preset = false;            ///< not asked for by name: one of SitePoints::presets
   std::string not_covering = {};  ///< why there is no skin under it (off_skin); empty: there is
+  /// What its sensor meets, by metric_vocabulary(): of a case's site one entry per donning that
+  /// counts, of a site in one state one entry. Empty where nobody has measured it.
+  std::vector<MetricValues> samples = {};
+
+  /// Median over the samples that know a metric.
+  MetricValues metrics() const;
 };
 
 /// A place of the body that the garment does not cover.

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
+#include "loosefit/base/progress_part.h"
 #include "loosefit/base/text.h"
 #include "loosefit/maps/catalogue.h"
+#include "loosefit/maps/fit_range.h"
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/pipeline/garment_maps.h"
 #include "loosefit/pipeline/load_case.h"
@@ -137,9 +140,16 @@ struct Subjects {
 
 /// One legend for each array; ranges of all subjects made one. \throws InvalidInput
 void set_ranges(Subjects& subjects, const FigureWish& wish) {
+  std::map<std::string, std::vector<maps::ValueSpread>> spreads;
+  for (const Subject& subject : subjects.all)
+    for (const maps::PerformanceMap& map : subject.maps)
+      if (!map.values.empty())
+        spreads[map.array].push_back(
+            maps::value_spread(map.values, std::vector<double>(map.values.size(), 1.0)));
   for (Subject& subject : subjects.all)
     for (maps::PerformanceMap& map : subject.maps) {
       if (map.values.empty()) continue;
+      maps::fit_range(map, spreads[map.array]);
       if (wish.range) {
         std::tie(map.range_low, map.range_high) = *wish.range;
         map.breaks.clear();
@@ -174,8 +184,14 @@ void check_wish(const FigureWish& wish) {
 Subjects load_subjects(const FigureWish& wish, Progress& progress) {
   check_wish(wish);
   Subjects subjects;
-  for (const std::filesystem::path& folder : wish.folders)
-    subjects.runs.push_back(pipeline::load_case(folder, progress));
+  progress.stage("reading");
+  const double share = 1.0 / static_cast<double>(wish.folders.size());
+  for (std::size_t r = 0; r < wish.folders.size(); ++r) {
+    ProgressPart own(progress, share * static_cast<double>(r), share);
+    own.update(0, label_of(wish, r));
+    subjects.runs.push_back(pipeline::load_case(wish.folders[r], own));
+  }
+  progress.stage("pictures");
   for (std::size_t r = 0; r < subjects.runs.size(); ++r)
     for (Subject& subject : subjects_of(subjects.runs[r], label_of(wish, r), wish))
       subjects.all.push_back(std::move(subject));

@@ -4,6 +4,7 @@
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/pipeline/garment_maps.h"
 #include "loosefit/pipeline/wear_states.h"
+#include "loosefit/report/fitted_maps.h"
 
 namespace loosefit::report {
 namespace {
@@ -87,8 +88,7 @@ std::vector<render::Picture> draw_case(const Path& folder, const pipeline::CaseR
   const pipeline::CaseGarment& studied = result.studied();
   options.marked = marked_lines(result, studied.drape.positions);
   return render::render_pictures(screen, folder / kMapFolder, result.body.body, studied.mesh(),
-                                 studied.drape.positions, pipeline::plain_maps(studied.maps.maps),
-                                 options, [&progress](double share) {
+                                 studied.drape.positions, fitted_maps(result), options, [&progress](double share) {
                                    progress.check_cancelled();
                                    progress.update(share, "pictures");
                                  });

@@ -103,6 +103,13 @@ const std::vector<GlossaryTerm>& glossary() {
        "few "
        "drapes a robust score can only be better than the worst one seen."},
       {"passing", "Passing", "Share of the drapes in which the site reaches the pass mark."},
+      {"turns", "Turns of a sensor",
+       "By how much a sensor that was calibrated in the first posture has turned against the skin "
+       "in the posture in which it turns most, about its own three axes, right-handed: across it, "
+       "along its axis, and about the outward normal of the cloth [deg]."},
+      {"mark", "Mark",
+       "Number of the row, beside the place on the garment and on its pattern. Sites that cannot be "
+       "told apart share a rank; each has a mark of its own."},
       {"rank", "Rank",
        "By robust score. Sites share a rank (2=) when either order comes up in more than a fifth "
        "of "
@@ -111,6 +118,10 @@ const std::vector<GlossaryTerm>& glossary() {
       {"tolerance", "Tolerance",
        "How far the sensor may be sewn off its place, along and around the limb, and keep 90 % of "
        "its score: the dashed ellipse in the pattern."},
+      {"crushed", "Crushed and torn triangles",
+       "Triangles of which a yarn direction is shorter than half its flat length, or longer than "
+       "the cloth bears. The drape is at rest there all the same, but their strain is that of a "
+       "mesh that is too coarse for a fold or a corner of the cut: do not read it."},
       {"slip", "Slip",
        "How far the cloth has moved along the skin since the reference posture, against the skin "
        "that lay under it there [mm]. Arrows lead from where the cloth would be had it gone along, "

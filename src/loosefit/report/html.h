@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,11 @@ class Table {
   void add(std::vector<std::string> row, std::pair<std::string, std::string> data = {});
   /// The head of a column links to the definition of `term`.
   void define(std::size_t column, const std::string& term) { terms_[column] = term; }
+  /// The column holds this quantity of what its row is about, for scripts that compare outputs
+  /// (tools/find_contradictions.py).
+  void tell(std::size_t column, const std::string& quantity) { quantities_[column] = quantity; }
+  /// The column holds sentences, which may be broken into lines.
+  void wrap(std::size_t column) { sentences_.insert(column); }
   /// Readers may sort it, and take it home as `name`.csv where it has a name.
   void make_sortable(std::string name = {});
   bool empty() const { return rows_.empty(); }
@@ -46,7 +52,8 @@ class Table {
     std::pair<std::string, std::string> data;
   };
   std::vector<std::string> head_;
-  std::map<std::size_t, std::string> terms_;
+  std::map<std::size_t, std::string> terms_, quantities_;
+  std::set<std::size_t> sentences_;
   std::vector<Row> rows_;
   bool sortable_ = false;
   std::string name_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loosefit/pipeline/site_values.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/ranking_output.h"
 
@@ -30,7 +31,7 @@ Json at_json(const Vec2& at) { return {at.x(), at.y()}; }
 
 Json site_json(const placement::Site& site) {
   Json values = Json::object();
-  for (const auto& [array, value] : site.map_values) values[array] = {value.mean, value.worst};
+  for (const auto& [name, value] : pipeline::site_values(site)) values[name] = value;
   return {{"name", spaced(site.name)},
           {"panel", site.panel},
           {"at", at_json(site.at)},
@@ -83,8 +84,10 @@ std::string places_json(const pipeline::CaseResult& result, const placement::Ran
   for (const pipeline::CaseLine& line : result.lines) all["lines"].push_back(line_json(line));
   if (table && !table->ranking.sites.empty()) {
     Json places = Json::array();
-    for (const placement::RankedSite& site : table->ranking.sites)
+    for (const placement::RankedSite& site : table->ranking.sites) {
       places.push_back(ranked_json(*table, site));
+      places.back()["mark"] = places.size();
+    }
     all["ranking"] = {{"title", table->scorecard.title},
                       {"seam_clearance", table->constraints.seam_clearance},
                       {"edge_clearance", table->constraints.edge_clearance},

@@ -1,5 +1,6 @@
 #include "loosefit/report/page_scene.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +12,7 @@
 #include "loosefit/placement/address.h"
 #include "loosefit/render/colour_table.h"
 #include "loosefit/render/garment_lines.h"
+#include "loosefit/report/fitted_maps.h"
 #include "loosefit/report/html.h"
 #include "loosefit/report/map_texts.h"
 #include "loosefit/report/slip_arrows.h"
@@ -170,6 +172,22 @@ Json values_json(const std::vector<pipeline::CaseMap>& maps, PackedArrays& array
   return all;
 }
 
+/// All maps of the reference posture and of the first donning. Of other postures of further
+/// donnings slip alone: the page has to stay small.
+std::vector<pipeline::CaseMap> shown_maps(const pipeline::CaseResult& result,
+                                          const pipeline::CaseState* state) {
+  if (!state) return result.studied().maps.maps;
+  std::vector<pipeline::CaseMap> shown = state->maps.maps;
+  if (!state->id.in_reference_posture() && !state->id.in_first_donning())
+    std::erase_if(shown, [&](const pipeline::CaseMap& entry) {
+      const maps::MapDefinition* slip = maps::find_map("slip");
+      return std::none_of(slip->arrays.begin(), slip->arrays.end(), [&](const maps::MapArray& a) {
+        return a.style.array == entry.map.array;
+      });
+    });
+  return shown;
+}
+
 Json arrows_json(const pipeline::CaseResult& result, const pipeline::CaseState& state,
                  PackedArrays& arrays) {
   if (!state.counts() || state.id.in_reference_posture() || state.maps.worn.partners.empty())
@@ -234,15 +252,17 @@ void add_state(const pipeline::CaseResult& result, const CaseForms& forms,
        {"body", at->second},
        {"positions", Json::parse(arrays.add_points(positions))},
        {"touching", touching_json(pressure, arrays)},
-       {"maps", values_json(state ? state->maps.maps : result.studied().maps.maps, arrays)},
+       {"maps", values_json(shown_maps(result, state), arrays)},
        {"slip", state ? arrows_json(result, *state, arrays) : Json(nullptr)}});
 }
 
-Json map_json(const maps::MapArrayStyle& style) {
+/// `fitted`: the same array with the range that the colours have at first.
+Json map_json(const maps::MapArrayStyle& style, const maps::MapArrayStyle& fitted) {
   Json all = {{"title", style.title},
               {"unit", style.percent ? "%" : style.unit},
               {"low", style.range_low},
               {"high", style.range_high},
+              {"fitted", {fitted.range_low, fitted.range_high}},
               {"diverging", style.diverging},
               {"percent", style.percent},
               {"decimals", style.decimals},
@@ -274,10 +294,14 @@ std::string scene_json(const pipeline::CaseResult& result, const CaseForms& form
     if (state.draped()) add_state(result, forms, &state, arrays, list);
   // Styles in the order of the report, those of other states after them.
   Json maps = Json::object(), order = Json::array();
+  const std::vector<maps::MapArrayStyle> fitted = fitted_styles(result);
   const auto add_maps = [&](const std::vector<pipeline::CaseMap>& made) {
     for (const pipeline::CaseMap& entry : made) {
       if (maps.contains(entry.map.array)) continue;
-      maps[entry.map.array] = map_json(entry.map);
+      const auto own = std::find_if(fitted.begin(), fitted.end(), [&](const auto& style) {
+        return style.array == entry.map.array;
+      });
+      maps[entry.map.array] = map_json(entry.map, *own);
       order.push_back(entry.map.array);
     }
   };

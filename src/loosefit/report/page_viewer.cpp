@@ -1,5 +1,7 @@
 #include "loosefit/report/page_viewer.h"
 
+#include <algorithm>
+
 #include "loosefit/report/page_bundle.h"
 #include "loosefit/report/page_places.h"
 #include "loosefit/report/page_scene.h"
@@ -25,6 +27,14 @@ bool can_be_drawn(const pipeline::CaseResult& result) {
              result.studied().mesh().vertex_count;
 }
 
+/// Half way between the front and the back of the wearer [m].
+double site_middle(const pipeline::CaseResult& result) {
+  double low = 0, high = 0;
+  for (const Vec3& p : result.body.body->surface.vertices)
+    low = std::min(low, p.y()), high = std::max(high, p.y());
+  return 0.5 * (low + high);
+}
+
 }  // namespace
 
 bool has_viewer() { return !page_script().empty(); }
@@ -39,7 +49,17 @@ std::string viewer_head() {
 
 std::string viewer_section(const pipeline::CaseResult& result) {
   if (!can_be_drawn(result)) return {};
-  return "<section id=\"viewer\" aria-label=\"The garment and its flat pattern, to be looked at "
+  // Turned to the first answer, in a map that it is judged by.
+  std::string look;
+  if (!result.answers.empty()) {
+    const pipeline::Answer& answer = result.answers.front();
+    for (const placement::Site& site : result.sites)
+      if (site.name == answer.site)
+        look = std::string(" data-view=\"") + (site.body_point.y() > site_middle(result) ? "back" : "front") + "\"";
+    if (pipeline::find_map(result.studied().maps.maps, answer.metric))
+      look += " data-map=\"" + answer.metric + "\"";
+  }
+  return "<section id=\"viewer\"" + look + " aria-label=\"The garment and its flat pattern, to be looked at "
          "from "
          "all sides\"></section>\n";
 }

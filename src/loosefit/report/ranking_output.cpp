@@ -14,6 +14,7 @@
 #include "loosefit/io/csv.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pipeline/pattern_marks.h"
+#include "loosefit/pipeline/site_values.h"
 #include "loosefit/placement/derived_metrics.h"
 #include "loosefit/report/sewing_plan.h"
 #include "loosefit/report/write_lines.h"
@@ -24,12 +25,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Values of every metric of one site over its samples; NaN where a sample lacks one.
-std::map<std::string, std::vector<double>> by_metric(const placement::SiteSamples& site,
-                                                     const placement::Scorecard& scorecard) {
+std::map<std::string, std::vector<double>> by_metric(const placement::RankingTable& table,
+                                                     int index) {
+  const placement::SiteSamples& site = table.sites[index];
   std::map<std::string, std::vector<double>> values;
   for (std::size_t k = 0; k < site.samples.size(); ++k)
-    for (const auto& [name, value] :
-         placement::with_derived(site.samples[k], scorecard.parameters, scorecard.footprint)) {
+    for (const auto& [name, value] : placement::with_derived(
+             site.samples[k], table.scorecard.parameters, table.places[index].shape)) {
       auto& list = values[name];
       list.resize(site.samples.size(), std::nan(""));
       list[k] = value;
@@ -73,6 +75,12 @@ std::string worst_sample(const placement::RankingTable& table, const placement::
              : "";
 }
 
+/// "back 102, -35": where in the pattern [mm].
+std::string place_text(const placement::RankedPlace& place) {
+  return fmt::format("{} {:.0f}, {:.0f}", printable(place.panel), 1e3 * place.at.x(),
+                     1e3 * place.at.y());
+}
+
 /// Cells of the terminal table; with one sample there is nothing to say on spread.
 std::vector<std::string> text_row(const placement::RankingTable& table,
                                   const placement::RankedSite& site) {
@@ -81,12 +89,14 @@ std::vector<std::string> text_row(const placement::RankingTable& table,
   const bool many = ranking.samples > 1;
   if (!score.rated()) {
     std::vector<std::string> row = {"-", printable(site.name),
+                                    place_text(table.places[site.index]),
                                     fmt::format("<= {:.2f}", score.bound)};
     if (many) row.insert(row.end(), {"", "", "", ""});
     row.push_back(terminal_line(score.reason));
     return row;
   }
   std::vector<std::string> row = {rank_text(site, ranking), printable(site.name),
+                                  place_text(table.places[site.index]),
                                   fmt::format("{:.2f}", score.robust)};
   if (many)
     row.insert(row.end(),
@@ -125,20 +135,6 @@ Json address_json(const std::optional<placement::BodyAddress>& address) {
           {"percent", {percent.x(), percent.y(), percent.z()}}};
 }
 
-Json footprint_json(const placement::FootprintShape& shape) {
-  switch (shape.kind) {
-    case placement::FootprintShape::Kind::disc:
-      return {{"radius_m", shape.radius}};
-    case placement::FootprintShape::Kind::rectangle:
-      return {{"size_m", {shape.size.x(), shape.size.y()}}};
-    case placement::FootprintShape::Kind::line:
-      return {{"length_m", shape.length}};
-    case placement::FootprintShape::Kind::girth:
-      break;
-  }
-  return {{"girth", true}};
-}
-
 Json site_json(const placement::RankingTable& table, const placement::RankedSite& site) {
   const placement::RankedPlace& place = table.places[site.index];
   const placement::SiteScore& score = site.score;
@@ -167,10 +163,10 @@ Json site_json(const placement::RankingTable& table, const placement::RankedSite
                {"to_seam_mm", number(1e3 * place.to_seam)},
                {"to_edge_mm", number(1e3 * place.to_edge)},
                {"body_address", address_json(place.anatomy)},
-               {"footprint", footprint_json(place.shape)},
+               {"footprint", Json::parse(pipeline::footprint_json(place.shape))},
                {"tolerance", tolerance_json(place.tolerance)}};
   Json& metrics = json["metrics"] = Json::object();
-  for (const auto& [name, values] : by_metric(table.sites[site.index], table.scorecard)) {
+  for (const auto& [name, values] : by_metric(table, site.index)) {
     Json list = Json::array();
     for (double value : values) list.push_back(number(value));
     metrics[name] = list;
@@ -200,9 +196,10 @@ std::vector<std::string> csv_row(const placement::RankingTable& table,
         place.position.z(), 1e3 * place.to_seam, 1e3 * place.to_edge})
     row.push_back(io::csv_field(readable(v)));
   for (const std::string& text : io::address_fields(place.anatomy)) row.push_back(text);
+  row.push_back(io::csv_field(in_words(place.shape)));
   row.push_back(place.tolerance ? io::csv_field(1e3 * place.tolerance->along) : "");
   row.push_back(place.tolerance ? io::csv_field(1e3 * place.tolerance->around) : "");
-  const auto values = by_metric(table.sites[site.index], table.scorecard);
+  const auto values = by_metric(table, site.index);
   for (const std::string& metric : metrics)
     row.push_back(values.count(metric) ? io::csv_field(known_median(values.at(metric))) : "");
   return row;
@@ -248,9 +245,10 @@ std::string ranking_verdict(const placement::RankingTable& table) {
 }
 
 std::string ranking_text(const placement::RankingTable& table) {
-  std::vector<std::vector<std::string>> rows = {{"rank", "site", "score", "limited by"}};
+  const char* const place = "panel u, v [mm]";
+  std::vector<std::vector<std::string>> rows = {{"rank", "site", place, "score", "limited by"}};
   if (table.ranking.samples > 1)
-    rows = {{"rank", "site", "score", "90 %", "median", "pass", "rank 90 %", "limited by"}};
+    rows = {{"rank", "site", place, "score", "90 %", "median", "pass", "rank 90 %", "limited by"}};
   for (const placement::RankedSite& site : table.ranking.sites)
     rows.push_back(text_row(table, site));
   std::vector<std::size_t> width(rows[0].size(), 0);
@@ -274,8 +272,8 @@ std::string ranking_text(const placement::RankingTable& table) {
 
 std::string ranking_csv(const placement::RankingTable& table) {
   std::set<std::string> metrics;
-  for (const placement::SiteSamples& site : table.sites)
-    for (const auto& entry : by_metric(site, table.scorecard)) metrics.insert(entry.first);
+  for (std::size_t i = 0; i < table.sites.size(); ++i)
+    for (const auto& entry : by_metric(table, static_cast<int>(i))) metrics.insert(entry.first);
   // clang-format off
   std::vector<std::string> head = {
       "rank", "name", "score_robust", "score_median", "passing", "robust_low", "robust_high",
@@ -284,7 +282,7 @@ std::string ranking_csv(const placement::RankingTable& table) {
       "y_m", "z_m", "to_seam_mm", "to_edge_mm"};
   // clang-format on
   head.insert(head.end(), io::address_columns().begin(), io::address_columns().end());
-  head.insert(head.end(), {"tolerance_along_mm", "tolerance_around_mm"});
+  head.insert(head.end(), {"footprint", "tolerance_along_mm", "tolerance_around_mm"});
   head.insert(head.end(), metrics.begin(), metrics.end());
   std::string text = io::csv_line(head);
   for (const placement::RankedSite& site : table.ranking.sites)

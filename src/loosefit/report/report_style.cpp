@@ -35,7 +35,20 @@ figure { margin: 0; border: 1px solid var(--rule); border-radius: 4px; overflow:
 figure img { display: block; width: 100%; height: auto; }
 figcaption { padding: .3rem .6rem; font-size: .85rem; color: var(--soft); border-top: 1px solid var(--rule); }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(330px, 1fr)); gap: 0 2.5rem; }
+.soft { color: var(--soft); font-size: .88rem; max-width: none; }
+.answers { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 540px), 1fr)); gap: .7rem; margin: .7rem 0; }
+.answer { display: flex; gap: 1rem; padding: .6rem 1rem; align-items: flex-start; border: 1px solid var(--rule); border-radius: 6px; }
+.answer > div:last-child { min-width: 0; flex: 1; } .places { display: flex; flex-direction: column; gap: .4rem; flex: none; }
+.places svg { width: 110px; max-height: 130px; height: auto; }
+.answer:only-child .places { flex-direction: row; } .answer:only-child .places svg { width: 170px; max-height: 190px; }
+.answer h2 { font-size: 1rem; margin: 0 0 .2rem; padding: 0; border: 0; }
+.answer p { margin: .15rem 0; font-size: .9rem; line-height: 1.35; max-width: 100ch; } .answer p.soft { font-size: .82rem; }
+.piece { fill: var(--wash); stroke: var(--edge); } .seam { fill: none; stroke: var(--soft); stroke-width: .8; }
+.spot { fill: var(--probe); } .answer .axis { stroke: var(--probe); stroke-width: 2; }
+@media (max-width: 560px) { .answer { flex-direction: column; } .places { flex-direction: row; } .places svg { width: 90px; } }
 .scroll { overflow-x: auto; }
+.scroll th:first-child { position: sticky; left: 0; background: var(--paper); z-index: 1; }
+.scroll .words { text-align: left; white-space: normal; min-width: 15rem; }
 table { border-collapse: collapse; width: 100%; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .28rem .7rem .28rem 0; text-align: right; white-space: nowrap;
   border-bottom: 1px solid var(--rule); }

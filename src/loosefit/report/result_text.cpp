@@ -22,6 +22,10 @@ std::string certificate_text(const pipeline::CaseResult& result) {
       certificate.settled() && certificate.grade() == solver::RestGrade::b ? ", grade B" : "",
       certificate.residual, certificate.intersections_body, certificate.intersections_self,
       terminal_line(certificate.stop_reason));
+  const maps::StrainRange& range = result.studied().maps.strain_range;
+  if (!range.crushed.empty() || !range.torn.empty())
+    text += fmt::format("{} triangles are crushed and {} torn: read no strain there\n",
+                        range.crushed.size(), range.torn.size());
   if (certificate.left)
     text += fmt::format(
         "to go by the next Newton step: at most {:.4f} mm, normals {:.3f} degrees (99 % of them)\n",
@@ -35,6 +39,14 @@ std::string certificate_text(const pipeline::CaseResult& result) {
   if (const auto& unsettled = result.studied().drape.unsettled)
     text += fmt::format("because {}\nhint: {}\n", terminal_line(unsettled->why),
                         terminal_line(unsettled->hint));
+  return text;
+}
+
+/// The same sentences as on the first screen of the page.
+std::string answer_text(const std::vector<pipeline::Answer>& answers) {
+  std::string text;
+  for (const pipeline::Answer& answer : answers)
+    text += fmt::format("{}: {}\n", terminal_line(answer.sensor), terminal_line(answer.text()));
   return text;
 }
 
@@ -75,7 +87,7 @@ std::string result_text(const pipeline::CaseResult& result) {
   std::string text;
   for (const std::string& warning : result.warnings)
     text += fmt::format("warning: {}\n", terminal_line(warning));
-  text += certificate_text(result);
+  text += answer_text(result.answers) + certificate_text(result);
   for (const auto& [level, mobility] : result.studied().pattern.fit)
     text += fmt::format("fit {:8} {:+.3f}\n", terminal_line(level), mobility);
   text += load_text(result.studied().maps);

@@ -55,8 +55,8 @@ FolderOutput redo_in_folder(const std::filesystem::path& folder, const RedoOptio
   if (!options.maps.empty()) result.scenario.output.maps = options.maps;
   files.announce(planned_files(result.scenario, parts));
   result = pipeline::remap_case(std::move(result), options.allow_unsettled, progress);
-  std::optional<TimedRanking> ranking;
-  if (parts.report) ranking = rank_as_asked(result, progress);
+  std::optional<TimedRanking> ranking = rank_as_asked(result, progress);
+  if (!parts.report) ranking.reset();  // the files of an earlier ranking stay
   result = write_output(files.path(), std::move(result), parts, ranking, progress);
 
   files.commit();

@@ -10,8 +10,12 @@ namespace loosefit::report {
 
 // Each returns one part of the report as HTML, empty when the result has nothing for it.
 
-/// Headline, a sentence on who wears what, warnings.
+/// Headline and a sentence on who wears what.
 std::string headline_section(const pipeline::CaseResult& result);
+/// What to sew where and what to expect: CaseResult::answers, each with its piece of the pattern.
+std::string answer_section(const pipeline::CaseResult& result);
+/// All warnings: folded away below the answers, open for a drape that is not to be relied on.
+std::string warning_section(const pipeline::CaseResult& result);
 /// Settled or sealed, with the numbers that say so and the way the residual fell.
 std::string certificate_section(const pipeline::CaseResult& result);
 /// Why the drape is not settled: what is out of balance, by which forces, and what cuts.

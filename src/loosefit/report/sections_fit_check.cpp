@@ -25,7 +25,9 @@ std::string load_tables(const maps::BodyLoad& load) {
   for (const std::string& limb : maps::limb_names())
     if (load.of_limb.at(limb) > 0) row(spaced(limb), load.of_limb.at(limb));
   row("of it, squeezed between arm and trunk", load.between_arm_and_trunk);
-  Table contact({"Gap to the skin up to", "0.5 mm", "1 mm", "2 mm", "3 mm"});
+  std::vector<std::string> gaps = {"Gap to the skin up to"};
+  for (double gap : maps::kNearGaps) gaps.push_back(number(1e3 * gap, 2) + " mm");
+  Table contact(gaps);
   contact.define(0, "near-share");
   std::vector<std::string> shares = {"share of the cloth"};
   for (double share : load.near_share) shares.push_back(percent(share));
@@ -42,7 +44,8 @@ std::string ease_table(const std::vector<pipeline::StationEase>& stations) {
 }
 
 std::string range_table(const maps::StrainRange& range) {
-  Table table({"Strain against its measured range", "largest", "range", "cloth beyond"});
+  Table table({"Strain of single triangles (raw) against its measured range", "largest", "range",
+               "cloth beyond"});
   table.define(0, "measured-range");
   const auto row = [&](const char* name, const maps::DirectionRange& d, auto text) {
     table.add({name, text(d.largest), d.is_stated() ? text(d.limit) : "not stated",

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "loosefit/base/text.h"
 #include "loosefit/pipeline/check_worn.h"
 #include "loosefit/report/html.h"
+#include "loosefit/report/map_texts.h"
 #include "loosefit/report/residual_chart.h"
 #include "loosefit/report/sections.h"
 
@@ -35,6 +37,18 @@ std::string fact(const std::string& label, const std::string& term, const std::s
   return "<li>" + defined(label, term) + " <b>" + escaped(value) + "</b></li>";
 }
 
+/// Where most of some triangles are: "mostly at the left side".
+std::string mostly_at(const pipeline::CaseResult& result, const std::vector<int>& triangles) {
+  std::map<body::Region, int> of_region;
+  for (int t : triangles)
+    ++of_region[result.studied().maps.worn.regions[result.studied().mesh().triangles[t][0]]];
+  if (of_region.empty()) return {};
+  const auto most = std::max_element(of_region.begin(), of_region.end(), [](auto& a, auto& b) {
+    return a.second < b.second;
+  });
+  return ", most at " + spaced(body::name(most->first));
+}
+
 std::string count_text(int count) { return count < 0 ? "not tested" : std::to_string(count); }
 
 }  // namespace
@@ -61,12 +75,19 @@ std::string headline_section(const pipeline::CaseResult& result) {
                   "<span class=\"verdict " + std::string(c.holds() ? "good" : "bad") + "\">" +
                       verdict + "</span>" + escaped(sentence),
                   "lead");
-  if (!result.warnings.empty()) {
-    std::string list;
-    for (const std::string& warning : result.warnings) list += element("li", escaped(warning));
-    html += element("div", "<strong>Worth knowing</strong>" + element("ul", list), "box warn");
-  }
   return html;
+}
+
+std::string warning_section(const pipeline::CaseResult& result) {
+  if (result.warnings.empty()) return {};
+  std::string list;
+  for (const std::string& warning : result.warnings) list += element("li", escaped(warning));
+  const std::size_t count = result.warnings.size();
+  return "<details class=\"box warn\"" +
+         std::string(result.certificate().holds() ? "" : " open") +
+         "><summary><strong>Worth knowing</strong> (" + std::to_string(count) +
+         (count == 1 ? " warning" : " warnings") + ")</summary>" + element("ul", list) +
+         "</details>\n";
 }
 
 std::string certificate_section(const pipeline::CaseResult& result) {
@@ -118,6 +139,14 @@ std::string certificate_section(const pipeline::CaseResult& result) {
       fact("stopped:", "stopped", c.stop_reason) +
       fact("worn:", "worn", c.worn() ? "yes" : "no, " + join(c.worn_reasons, "; "));
   facts += fact("can be put on:", "can-be-put-on", pipeline::putting_on_verdict(result.putting_on));
+  if (const maps::StrainRange& range = result.studied().maps.strain_range;
+      !result.studied().maps.maps.empty()) {
+    const auto told = [&](const std::vector<int>& triangles) {
+      return std::to_string(triangles.size()) + mostly_at(result, triangles);
+    };
+    facts += fact("crushed triangles:", "crushed", told(range.crushed));
+    facts += fact("torn triangles:", "crushed", told(range.torn));
+  }
   if (settling.total().iterations > 0)
     facts += fact("iterations", "iterations", std::to_string(settling.total().iterations));
   // Green or red box, and below it how the force fell.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "loosefit/report/html.h"
+#include "loosefit/report/map_texts.h"
 #include "loosefit/report/ranking_output.h"
 #include "loosefit/report/sections.h"
 #include "loosefit/report/svg.h"
@@ -58,14 +59,26 @@ std::string interval_text(const std::optional<placement::Interval>& interval, in
 std::string ranking_section(const placement::RankingTable* table) {
   if (!table || table->ranking.sites.empty()) return {};
   const auto& sites = table->ranking.sites;
-  Table rows({"site", "rank", "score", "90 %", "median", "passing", "rank 90 %", "limited by"});
+  Table rows({"site", "mark", "rank", "score", "90 %", "median", "passing", "rank 90 %",
+              "panel, u, v [mm]", "limited by"});
   rows.make_sortable("ranking");
-  const char* const terms[] = {"rank", "robust", "interval", "robust", "passing", "interval", "limited"};
+  const char* const terms[] = {"mark",    "rank",     "robust", "interval", "robust",
+                               "passing", "interval", "uv",     "limited"};
   for (std::size_t i = 0; i < std::size(terms); ++i) rows.define(i + 1, terms[i]);
+  const char* const quantities[] = {"score_robust", "", "score_median"};
+  for (std::size_t i = 0; i < std::size(quantities); ++i)
+    if (*quantities[i]) rows.tell(i + 3, quantities[i]);
+  rows.wrap(9);
+  int mark = 0;
   for (const placement::RankedSite& site : sites) {
     const placement::SiteScore& score = site.score;
+    const placement::RankedPlace& at = table->places[site.index];
+    const std::string number = std::to_string(++mark);
+    const std::string place = spaced(at.panel) + ", " + fixed(1e3 * at.at.x(), 0) + ", " +
+                              fixed(1e3 * at.at.y(), 0);
     if (!score.rated()) {
-      rows.add({site.name, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", score.reason},
+      rows.add({site.name, number, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", place,
+                score.reason},
                {"place", site.name});
       continue;
     }
@@ -73,10 +86,14 @@ std::string ranking_section(const placement::RankingTable* table) {
     const bool many = table->sample_names.size() > 1 && worst >= 0 &&
                       worst < static_cast<int>(table->sample_names.size());
     const std::string rank = rank_text(site, table->ranking);
-    rows.add({site.name, rank == "-" ? "–" : rank, fixed(score.robust, 2),
+    const std::string reason = (score.robust >= table->scorecard.pass && score.robust < 1
+                                    ? "passes; nearest to its limit: "
+                                    : "") +
+                               score.reason;
+    rows.add({site.name, number, rank == "-" ? "–" : rank, fixed(score.robust, 2),
               interval_text(site.robust_interval, 2), fixed(score.median, 2),
               fixed(100 * score.passing, 0) + " %", interval_text(site.rank_interval, 0),
-              many ? score.reason + " (" + table->sample_names[worst] + ")" : score.reason},
+              place, many ? reason + " (" + table->sample_names[worst] + ")" : reason},
              {"place", site.name});
   }
   std::string html = element("h2", "Where to put it: " + escaped(table->scorecard.title));

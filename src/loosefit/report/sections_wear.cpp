@@ -39,10 +39,10 @@ std::string wear_section(const pipeline::CaseResult& result) {
   for (const pipeline::CaseState& s : wear.states) {
     auto cells = row(s.name, s.id, s.certificate(), s.seconds);
     if (!s.left_out.empty()) cells[2] = s.left_out;
-    const bool known = s.counts() && !s.id.in_reference_posture() && !s.maps.maps.empty();
-    const maps::MapStatistics slip = known ? s.maps.maps.front().overall : maps::MapStatistics{};
-    for (double value : {slip.median, slip.p95, slip.max})
-      cells.push_back(known ? fixed(value, 1) : "–");
+    const pipeline::CaseMap* slip = pipeline::find_map(s.maps.maps, "slip_mm");
+    const maps::MapStatistics found = slip ? slip->overall : maps::MapStatistics{};
+    for (double value : {found.median, found.p95, found.max})
+      cells.push_back(slip ? fixed(value, 1) : "–");
     table.add(cells);
   }
   std::string html = element("h2", "Postures and donnings");

@@ -30,18 +30,6 @@ std::string polyline(const std::vector<Vec2>& points, const io::PanelOnSheet& sh
   return data;
 }
 
-Vec2 closest(const std::vector<Vec2>& points, const Vec2& at) {
-  Vec2 best = points[0];
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const Vec2 side = points[i + 1] - points[i];
-    const double length = side.squaredNorm();
-    const double t = length > 0 ? std::clamp((at - points[i]).dot(side) / length, 0.0, 1.0) : 0;
-    const Vec2 p = points[i] + t * side;
-    if ((p - at).norm() < (best - at).norm()) best = p;
-  }
-  return best;
-}
-
 /// Extent of the sensor along its axis from its centre [mm].
 double reach(const placement::FootprintShape& shape) {
   switch (shape.kind) {
@@ -111,7 +99,7 @@ std::string ellipse(const placement::RankedPlace& place, const io::PanelOnSheet&
 std::string distances(const placement::RankedPlace& place, const pattern::Panel& panel,
                       const io::PanelOnSheet& sheet) {
   std::string out;
-  for (const EdgeDistance& distance : edge_distances(panel, place.at)) {
+  for (const pipeline::EdgeDistance& distance : pipeline::edge_distances(panel, place.at)) {
     out += path("distance", polyline({place.at, distance.foot}, sheet),
                 "fill=\"none\" stroke=\"black\" stroke-width=\"0.25\"");
     const Vec2 foot = sheet.at(distance.foot), centre = sheet.at(place.at);
@@ -132,25 +120,6 @@ std::string distances(const placement::RankedPlace& place, const pattern::Panel&
 }
 
 }  // namespace
-
-std::vector<EdgeDistance> edge_distances(const pattern::Panel& panel, const Vec2& at) {
-  std::vector<EdgeDistance> all;
-  for (int e = 0; e < static_cast<int>(panel.edges.size()); ++e) {
-    const Vec2 foot = closest(pattern::edge_points(panel, e, kEdgePieces), at);
-    all.push_back({e, foot, (foot - at).norm()});
-  }
-  std::stable_sort(all.begin(), all.end(), [](const EdgeDistance& a, const EdgeDistance& b) {
-    return a.length < b.length;
-  });
-  if (all.empty()) return all;
-  const Vec2 first = all[0].foot - at;
-  const auto second = std::find_if(all.begin() + 1, all.end(), [&](const EdgeDistance& other) {
-    const Vec2 direction = other.foot - at;
-    return std::abs(first.dot(direction)) <= std::sqrt(0.5) * first.norm() * direction.norm();
-  });
-  if (second == all.end()) return {all[0]};
-  return {all[0], *second};
-}
 
 std::string forbidden_marks(const pattern::Panel& panel, const std::set<int>& sewn,
                             const placement::SearchConstraints& constraints,
@@ -233,7 +202,7 @@ std::vector<Vec2> marked_points(const placement::RankedPlace& place, const patte
     for (int i = 0; i <= kPieces; ++i)
       points.push_back(centre + static_cast<double>(i) / kPieces * (to - centre));
   };
-  for (const EdgeDistance& d : edge_distances(panel, place.at)) line_to(sheet.at(d.foot));
+  for (const pipeline::EdgeDistance& d : pipeline::edge_distances(panel, place.at)) line_to(sheet.at(d.foot));
   const Vec2 along = 1e-3 * (reach(place.shape) + kArrow) * placement::axis_in_pattern(place.angle);
   line_to(sheet.at(place.at + along));
   line_to(sheet.at(place.at - along));

@@ -4,21 +4,11 @@
 #include <vector>
 
 #include "loosefit/io/pattern_svg.h"
+#include "loosefit/pipeline/edge_distances.h"
 #include "loosefit/placement/ranking_table.h"
 
 // SVG signs of a sewing plan, on one piece of the sheet.
 namespace loosefit::report {
-
-/// A distance that a tape can measure: from a place to the nearest point of an edge of its piece.
-struct EdgeDistance {
-  int edge = 0;
-  Vec2 foot = Vec2::Zero();  ///< [m]
-  double length = 0;         ///< [m]
-};
-
-/// The distance to the nearest edge, and to the nearest of those whose foot lies in another
-/// direction by 45 to 135 degrees, so that the two fix the place; the second may be missing.
-std::vector<EdgeDistance> edge_distances(const pattern::Panel& panel, const Vec2& at);
 
 /// Strips along seams (`sewn`: edges) and free edges, and keep-out zones, cut to the piece.
 std::string forbidden_marks(const pattern::Panel& panel, const std::set<int>& sewn,

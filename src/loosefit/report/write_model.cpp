@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "loosefit/io/glb_write.h"
 #include "loosefit/pipeline/garment_layers.h"
 #include "loosefit/render/colour_table.h"
+#include "loosefit/report/fitted_maps.h"
 
 namespace loosefit::report {
 namespace {
@@ -15,10 +17,10 @@ namespace {
 constexpr std::array<std::uint8_t, 3> kCloth = {226, 231, 238}, kUnder = {150, 166, 200};
 
 /// Maps are asked for by name; the first one may be more than one array, or none that is drawn.
-const maps::PerformanceMap* chosen_map(const pipeline::CaseResult& result) {
-  for (const pipeline::CaseMap& entry : result.studied().maps.maps)
-    if (entry.map.pictured) return &entry.map;
-  return nullptr;
+std::optional<maps::PerformanceMap> chosen_map(const pipeline::CaseResult& result) {
+  for (maps::PerformanceMap& map : fitted_maps(result))
+    if (map.pictured) return map;
+  return std::nullopt;
 }
 
 std::vector<render::Rgb> colours_on(const maps::PerformanceMap& map) {
@@ -44,7 +46,7 @@ void write_model(const std::filesystem::path& folder, const pipeline::CaseResult
   cloth.two_sided = true;
   std::vector<std::array<std::string, 2>> notes = {
       {"settled_and_worn", result.certificate().holds() ? "yes" : "no"}};
-  if (const maps::PerformanceMap* map = chosen_map(result)) {
+  if (const auto map = chosen_map(result)) {
     cloth.colours = colours_on(*map);
     notes.push_back({"map", map->title});
     notes.push_back({"unit", map->unit});

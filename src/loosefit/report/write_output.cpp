@@ -6,6 +6,7 @@
 #include "loosefit/base/stage_clock.h"
 #include "loosefit/io/scorecard_file.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/pipeline/answers.h"
 #include "loosefit/pipeline/case_files.h"
 #include "loosefit/pipeline/case_folders.h"
 #include "loosefit/pipeline/rank_case.h"
@@ -72,19 +73,24 @@ std::vector<std::string> planned_files(const scenario::Scenario& scenario,
   return names;
 }
 
-std::optional<TimedRanking> rank_as_asked(const pipeline::CaseResult& result, Progress& progress) {
-  if (result.scenario.ranking.modality.empty() || result.studied().maps.maps.empty()) return {};
+std::optional<TimedRanking> rank_as_asked(pipeline::CaseResult& result, Progress& progress) {
+  result.answers.clear();
+  if (result.studied().maps.maps.empty()) return {};
   StageClock clock(progress);
   clock.stage("placement");
-  placement::RankingWish wish =
-      pipeline::ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
-  wish.progress = [&clock](double share) {
-    clock.check_cancelled();
-    clock.update(share, "search");
-  };
-  TimedRanking ranking{pipeline::rank_cases({{"run", &result}}, wish, true)};
+  std::optional<TimedRanking> ranking;
+  if (!result.scenario.ranking.modality.empty()) {
+    placement::RankingWish wish =
+        pipeline::ranking_wish(result.scenario.ranking, result.scenario.simulation.seed);
+    wish.progress = [&clock](double share) {
+      clock.check_cancelled();
+      clock.update(share, "search");
+    };
+    ranking = TimedRanking{pipeline::rank_cases({{"run", &result}}, wish, true)};
+  }
+  result.answers = pipeline::make_answers(result, ranking ? &ranking->table : nullptr);
   clock.stop();
-  ranking.seconds = clock.entries().front().seconds;
+  if (ranking) ranking->seconds = clock.entries().front().seconds;
   return ranking;
 }
 

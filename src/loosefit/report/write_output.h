@@ -29,8 +29,9 @@ struct TimedRanking {
 };
 
 /// Ranks sites as [ranking] of the scenario asks, as part of stage "placement". Nothing when it
-/// asks for none or there are no maps. \throws as rank_cases.
-std::optional<TimedRanking> rank_as_asked(const pipeline::CaseResult& result, Progress& progress);
+/// asks for none or there are no maps. Also makes the answers of the case, which say where to sew.
+/// \throws as rank_cases.
+std::optional<TimedRanking> rank_as_asked(pipeline::CaseResult& result, Progress& progress);
 
 /// Writes the files of a case into `folder`, which exists: data, ranking when there is one,
 /// pictures and report if `parts` asks for them, summary.json last. Returns the case with what that

@@ -25,7 +25,8 @@ std::string report_html(const pipeline::CaseResult& result, const CaseForms& for
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<title>Loosefit report</title>\n<style>" +
          std::string(kReportStyle) + "</style>\n" + viewer_head() + "</head>\n<body>\n" +
-         headline_section(result) + (holds ? "" : proof) + viewer_section(result) +
+         headline_section(result) + (holds ? "" : warning_section(result) + proof) +
+         answer_section(result) + (holds ? warning_section(result) : "") + viewer_section(result) +
          picture_section(result, pictures) + ranking_section(ranking) + site_section(result) +
          line_section(result) + (holds ? proof : "") + wear_section(result) +
          fit_check_section(result) + layer_section(result) + map_section(result) +

@@ -33,7 +33,10 @@ inline MapDefinition orientation_map() {
       "shoulders, nor where the joints are not known.";
   sagittal.formula = "τ · s, τ the rotation vector from n_b to n_g, |τ| = AD";
   sagittal.metrics = {{"tilt_sagittal_deg", "tilt about the axis across the segment",
-                       OverFootprint::rigid, OverStates::reference}};
+                       OverFootprint::rigid, OverStates::reference},
+                      {"tilt_across_deg", "tilt about the sensor's axis across it",
+                       OverFootprint::rigid, OverStates::reference,
+                       [](const Orientation& o) { return o.tilt_across(); }}};
   MapArray lateral =
       array("tilt_lateral_deg", "Tilt about the segment's long axis", "orientation-tilt-lateral",
             [](const Orientation& o) { return o.tilt_lateral; });
@@ -42,7 +45,9 @@ inline MapDefinition orientation_map() {
       "wearer's right, on the breast to the left.";
   lateral.formula = "τ · a";
   lateral.metrics = {{"tilt_lateral_deg", "tilt about the segment's long axis",
-                      OverFootprint::rigid, OverStates::reference}};
+                      OverFootprint::rigid, OverStates::reference},
+                     {"tilt_along_deg", "tilt about the sensor's own axis", OverFootprint::rigid,
+                      OverStates::reference, [](const Orientation& o) { return o.tilt_along(); }}};
   MapArray twist = array("twist_deg", "Twist about the normal", "orientation-twist",
                          [](const Orientation& o) { return o.twist; });
   twist.meaning =
