@@ -30,8 +30,11 @@ constexpr ArrayError kErrors[] = {
 }  // namespace
 
 std::optional<double> mesh_error(const std::string& array, double value, double edge_length) {
+  std::string_view measured = array;
+  if (array == "gap_mm") measured = "distance_mm";
+  if (array == "rotation_deg" || array.starts_with("tilt_")) measured = "angular_deviation_deg";
   const auto known = std::find_if(std::begin(kErrors), std::end(kErrors),
-                                  [&](const ArrayError& e) { return e.array == array; });
+                                  [&](const ArrayError& e) { return e.array == measured; });
   if (known == std::end(kErrors) || !std::isfinite(value) || edge_length > kEdges.back() + 1e-9)
     return std::nullopt;
   const auto above = std::lower_bound(kEdges.begin() + 1, kEdges.end() - 1, edge_length);

@@ -8,8 +8,9 @@ namespace loosefit::maps {
 /// body region, as one standard deviation [unit of the array]. Two thirds of the 17 regions of the
 /// reference shirt (paper-cotton, loose) lie within it of the same shirt with edges of 5 mm; what
 /// those edges leave open is in it as a least error (docs/accuracy.md 3). Other fabrics and fits
-/// may differ. array: PerformanceMap::array; edge_length > 0 [m]. Nothing for arrays whose
-/// convergence nobody has measured, and for edges beyond 20 mm.
+/// may differ. The gap is taken as the distance, rotations of a sensor as the angular deviation.
+/// array: PerformanceMap::array; edge_length > 0 [m]. Nothing for arrays whose convergence nobody
+/// has measured, and for edges beyond 20 mm.
 std::optional<double> mesh_error(const std::string& array, double value, double edge_length);
 
 }  // namespace loosefit::maps

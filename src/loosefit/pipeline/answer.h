@@ -16,10 +16,13 @@ struct Answer {
   std::string site;      ///< name of the place: a preset, a [[site]], best_1; of a line its name
   bool asked = false;    ///< by [ranking] or [[site]]; else one of the usual sensors
   std::optional<bool> passes;  ///< by the robust score; absent: not rated
+  /// False: the interval that is expected holds the pass mark, so that the verdict may be chance.
+  bool decided = true;
 
   // What is expected: median, least and greatest over the samples.
   std::string metric, unit;  ///< of metric_vocabulary(); empty: nothing known
   double expected = 0, low = 0, high = 0;
+  std::optional<double> mesh_error = {};  ///< of one value (maps/mesh_error.h); absent: not known
   int samples = 0, passing = 0, people = 1;
 
   std::string place, expectation, verdict, limit, need, pass_mark;

@@ -8,20 +8,31 @@
 #include "loosefit/base/quantile.h"
 #include "loosefit/base/text.h"
 #include "loosefit/io/scorecard_file.h"
+#include "loosefit/maps/mesh_error.h"
 #include "loosefit/pipeline/case_sites.h"
 #include "loosefit/pipeline/place_in_words.h"
 #include "loosefit/pipeline/rank_case.h"
 #include "loosefit/pipeline/wear_states.h"
+#include "loosefit/placement/catalogue_metrics.h"
 
 namespace loosefit::pipeline {
 namespace {
 
-/// Two digits: no quantity is known better.
+/// Decimals of two digits: no quantity is known better.
+int decimals_of(double value) {
+  const double digits = 1 - std::floor(std::log10(std::abs(value)));
+  return value == 0 || !std::isfinite(digits) ? 0 : static_cast<int>(std::clamp(digits, 0.0, 9.0));
+}
+
 std::string number_words(double value) {
-  const double digits = std::abs(value) >= 10 ? 0 : 1 - std::floor(std::log10(std::abs(value)));
-  if (value == 0 || !std::isfinite(digits)) return "0";
-  const double step = std::pow(10.0, -std::max(0.0, digits));
-  return shortest(std::round(value / step) * step + 0.0);
+  const std::string text = fmt::format("{:.{}f}", value, decimals_of(value));
+  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
+/// Both ends as exactly as the one that is farther from zero.
+std::string interval_words(double low, double high) {
+  const int decimals = decimals_of(std::max(std::abs(low), std::abs(high)));
+  return fmt::format("{:.{}f} to {:.{}f}", low, decimals, high, decimals);
 }
 
 /// "3.5 degrees", "0.65 kPa".
@@ -118,12 +129,21 @@ std::vector<double> values_of(const placement::RankingTable& table, int index,
 }
 
 std::string of_samples(int samples, int people) {
-  if (samples <= 1) return "one donning of one person, so there is no interval";
+  if (samples <= 1) return "one donning of one person";
   return fmt::format("least and greatest of {} donnings of {}", samples,
                      people == 1 ? "one person" : fmt::format("{} people", people));
 }
 
-void add_expectation(const placement::RankingTable& table, int index, Answer& answer) {
+/// Error of the mesh in a metric of the catalogue.
+std::optional<double> mesh_error_of(const std::string& metric, double value, double edge_length) {
+  for (const placement::CatalogueMetric& known : placement::catalogue_metrics())
+    if (known.metric->name == metric)
+      return maps::mesh_error(known.array->style.array, value, edge_length);
+  return {};
+}
+
+void add_expectation(const placement::RankingTable& table, int index, double edge_length,
+                     Answer& answer) {
   for (const placement::Criterion& criterion : table.scorecard.criteria) {
     const std::vector<double> values = values_of(table, index, criterion.metric);
     if (values.empty()) continue;
@@ -132,16 +152,40 @@ void add_expectation(const placement::RankingTable& table, int index, Answer& an
     answer.expected = median(values);
     answer.low = *std::min_element(values.begin(), values.end());
     answer.high = *std::max_element(values.begin(), values.end());
-    const std::string interval =
-        values.size() > 1
-            ? number_words(answer.low) + " to " + number_words(answer.high) + ", "
-            : "";
-    answer.expectation =
-        fmt::format("Expect {} of {} ({}{}).", value_words(answer.expected, answer.unit),
-                    words_of(criterion.metric), interval,
-                    of_samples(static_cast<int>(values.size()), answer.people));
+    answer.mesh_error = mesh_error_of(answer.metric, answer.expected, edge_length);
+    const double error = answer.mesh_error.value_or(0);
+    const bool interval = error > 0 || values.size() > 1;
+    const double low = answer.low >= 0 ? std::max(0.0, answer.low - error) : answer.low - error;
+    answer.expectation = fmt::format(
+        "Expect {} of {} ({}{}, {}).", value_words(answer.expected, answer.unit),
+        words_of(criterion.metric), interval ? interval_words(low, answer.high + error) + ": " : "",
+        of_samples(static_cast<int>(values.size()), answer.people),
+        answer.mesh_error ? "with the error of the mesh" : "error of the mesh not known");
+    const auto inside = [&](double at) {
+      return at > answer.low - error && at < answer.high + error;
+    };
+    answer.decided = !inside(mark(criterion.limit, table.scorecard.pass)) &&
+                     !(criterion.upper && inside(mark(*criterion.upper, table.scorecard.pass)));
     return;
   }
+}
+
+/// What would tell whether a place passes: a finer mesh, where that is the larger part of the
+/// interval, or more donnings.
+std::string deciding_words(const CaseResult& result, const Answer& answer) {
+  constexpr double kFinest = 0.005, kPower = 2.5;  // of time over vertices, study/plan.cpp
+  const double edge = result.scenario.simulation.edge_length;
+  const double finer = std::max(kFinest, edge / 2);
+  if (answer.mesh_error.value_or(0) > 0.5 * (answer.high - answer.low) && finer < 0.9 * edge) {
+    double seconds = 0;
+    for (const StageClock::Entry& entry : result.seconds) seconds += entry.seconds;
+    return fmt::format(
+        "Edges of {:.2g} mm would tell (some {:.0f} minutes), and so would a wider "
+        "margin.",
+        1e3 * finer, std::max(1.0, seconds * std::pow(edge / finer, kPower) / 60));
+  }
+  return fmt::format("More donnings ({} or more) or a wider margin would tell.",
+                     std::max(4, 2 * answer.samples));
 }
 
 /// What the limiting criterion would have to be, of a place that does not pass.
@@ -187,15 +231,18 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
   const std::string where =
       place_on_body(result.body.body.body(), region_named(place.region), place.anatomy) + " (" +
       place_on_panel(result.studied().pattern.pattern, place.panel, place.at) + ")";
+  add_expectation(table, site.index, result.scenario.simulation.edge_length, answer);
+  answer.decided |= !score.rated();
   if (!best)
     answer.place = "At " + site.name + ", " + where + ".";
+  else if (!answer.decided)
+    answer.place = "The best place is " + where + ".";
   else if (answer.passes.value_or(false))
     answer.place = "Sew it on " + where + ".";
   else if (answer.passes)
     answer.place = "No place passes; the best is " + where + ".";
   else
     answer.place = "No place can be rated; the first is " + where + ".";
-  add_expectation(table, site.index, answer);
   if (!score.rated()) {
     answer.verdict = sentence(score.reason);
     return answer;
@@ -207,7 +254,12 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
           ? fmt::format("It {}{}.", answer.passing ? "passes" : "does not pass", bound)
           : fmt::format("It passes in {} of {} donnings{}.", answer.passing, answer.samples, bound);
   answer.limit = limit_words(score.reason);
-  if (!*answer.passes) answer.need = need_words(table, site);
+  if (!answer.decided) {
+    answer.verdict = "Undecided: the pass mark lies within that interval. " + answer.verdict;
+    answer.need = deciding_words(result, answer);
+  } else if (!*answer.passes) {
+    answer.need = need_words(table, site);
+  }
   return answer;
 }
 
@@ -229,9 +281,8 @@ bool wished(const CaseResult& result, const std::string& name) {
 /// The best place of a table, and the other places that were asked for by name.
 void add_ranked(const CaseResult& result, const placement::RankingTable& table, bool asked,
                 std::vector<Answer>& answers) {
-  const placement::RankedSite* best = asked && !table.ranking.sites.empty()
-                                          ? &table.ranking.sites.front()
-                                          : best_of(table);
+  const placement::RankedSite* best =
+      asked && !table.ranking.sites.empty() ? &table.ranking.sites.front() : best_of(table);
   if (!best) return;
   const std::string plan = "sewing-plan-" + table.scorecard.name;
   const auto add = [&](const placement::RankedSite& site, bool is_best) {
@@ -253,8 +304,9 @@ void add_line(const CaseLine& line, const CaseLine::Verdict& verdict,
   answer.site = line.name;
   answer.asked = true;
   answer.samples = static_cast<int>(line.metrics.size());
-  answer.place = fmt::format("Sew the line {} as lines.svg shows it, {:.1f} cm long in the flat cloth.",
-                             line.name, 100 * line.course.length);
+  answer.place =
+      fmt::format("Sew the line {} as lines.svg shows it, {:.1f} cm long in the flat cloth.",
+                  line.name, 100 * line.course.length);
   if (verdict.score.q) {
     answer.passes = verdict.passes();
     answer.verdict = fmt::format("It {} in the donning that does worst.",
@@ -276,13 +328,13 @@ void add_usual(const CaseResult& result, std::vector<Answer>& answers) {
   if (!std::all_of(sites.begin(), sites.end(), is_preset)) std::erase_if(sites, is_preset);
   if (sites.empty()) return;
   const CaseGarment& garment = result.studied();
-  const placement::SiteMeter meter(
-      garment.mesh(), result.scenario.studied().material.material, worn_states(result));
+  const placement::SiteMeter meter(garment.mesh(), result.scenario.studied().material.material,
+                                   worn_states(result));
   const placement::RankingGround ground{garment.mesh(), garment.drape.positions, result.body.body,
                                         garment.maps.worn, meter};
   const bool postures = result.wear.postures.size() > 1;
-  for (const char* modality : {postures ? "imu-inclination" : "imu-uncalibrated", "ecg", "ppg",
-                               "strain-respiration"}) {
+  for (const char* modality :
+       {postures ? "imu-inclination" : "imu-uncalibrated", "ecg", "ppg", "strain-respiration"}) {
     placement::RankingWish wish;
     wish.scorecard = io::load_scorecard(modality);
     wish.sites = sites;

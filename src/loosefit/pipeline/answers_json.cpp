@@ -16,6 +16,7 @@ std::string answers_json(const std::vector<Answer>& answers) {
                   {"site", a.site},
                   {"asked", a.asked},
                   {"passes", a.passes ? Json(*a.passes) : Json(nullptr)},
+                  {"decided", a.decided},
                   {"text", a.text()}};
     for (const auto& [key, words] : {std::pair{"place", a.place},
                                      {"expectation", a.expectation},
@@ -24,12 +25,14 @@ std::string answers_json(const std::vector<Answer>& answers) {
                                      {"need", a.need},
                                      {"pass_mark", a.pass_mark}})
       entry[key] = words;
-    entry["expected"] = a.metric.empty() ? Json(nullptr)
-                                         : Json{{"metric", a.metric},
-                                                {"unit", a.unit},
-                                                {"median", a.expected},
-                                                {"least", a.low},
-                                                {"greatest", a.high}};
+    entry["expected"] =
+        a.metric.empty() ? Json(nullptr)
+                         : Json{{"metric", a.metric},
+                                {"unit", a.unit},
+                                {"median", a.expected},
+                                {"least", a.low},
+                                {"greatest", a.high},
+                                {"mesh_error", a.mesh_error ? Json(*a.mesh_error) : Json(nullptr)}};
     entry["samples"] = a.samples;
     entry["passing"] = a.passing;
     entry["people"] = a.people;
