@@ -79,7 +79,7 @@ std::string worn_with_sensor(const pipeline::CaseResult& result, const pipeline:
   const render::GarmentLines lines = render::garment_lines(mesh);
   for (const auto* some : {&lines.boundary, &lines.seams})
     for (const auto& [from, to] : *some) {
-      if (side * normals[from].y() < -0.1) continue;  // on the far side
+      if (side * normals[from].y() < -0.6) continue;  // well on the far side
       const Vec2 a = on_sheet(x[from]), b = on_sheet(x[to]);
       path += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", a.x(), a.y(), b.x(), b.y());
     }
