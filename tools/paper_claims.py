@@ -77,6 +77,26 @@ def demo_intersections(context):
             found["body"] == 0 and found["self"] == 0)
 
 
+def demo_answer(context, modality):
+    return next(a for a in context.summary()["answers"] if a["modality"] == modality)
+
+
+def electrode_answer(context):
+    answer = demo_answer(context, "ecg")
+    pressure = answer["expected"]["median"]
+    return (f"{pressure:.3f} kPa; {answer['pass_mark']}",
+            answer["passes"] is False and pressure < 0.1 and "from 0.65 to" in answer["pass_mark"])
+
+
+def inertial_answer(context):
+    answer = demo_answer(context, "imu-uncalibrated")
+    expected = answer["expected"]
+    most = expected["greatest"] + (expected["mesh_error"] or 0)
+    return (f"{answer['place']} Up to {most:.1f} degrees; {answer['pass_mark']}",
+            answer["passes"] is True and answer["decided"] and most < 4
+            and "wrist" in answer["place"] and "at most 5 degrees" in answer["pass_mark"])
+
+
 def demo_files(context):
     names = ["report.html", "summary.json", "sites.csv", "drape.vtp", "body.vtp", "pattern.json",
              "scenario.toml"]
@@ -180,6 +200,8 @@ CLAIMS = [
     Claim("net forces on its particles are below a thousandth of their weights", demo_balance),
     Claim("an exact test finds no intersection with the body or with itself", demo_intersections),
     Claim("Otherwise it is sealed, that is, no maps are made unless asked for, and the exit code is 1", sealed),
+    Claim("The best place presses with less than 0.1 kPa; it would need 0.65 kPa", electrode_answer),
+    Claim("passes** near the wrist. Expect a rotation of 0 to 4 degrees; the pass mark is 5", inertial_answer),
     Claim("| file | what it is |", demo_files),
     Claim("Exit codes: 0 good, 1 ran but did not settle or is not worn (validate: a benchmark is "
           "not as stated), 2 bad input or usage, 130 interrupted", exit_codes),
