@@ -8,7 +8,7 @@ from typing import Any, Optional
 
 _SITE_KEYS = frozenset({
     "panel", "u_m", "v_m", "position_m", "region", "angle_deg", "body_address", "covered",
-    "why_not_covered", "footprint", "by_donning"})
+    "why_not_covered", "footprint", "by_donning", "uncertainty"})
 
 
 def _address_columns(address: Optional[Mapping[str, Any]]) -> dict[str, Any]:
@@ -33,11 +33,19 @@ def _footprint_words(shape: Mapping[str, Any]) -> str:
     return "girth"
 
 
+def _with_uncertainty(site: Mapping[str, Any]) -> dict[str, Any]:
+    """The site with uncertainty.<name>, the standard deviation of all that is known."""
+    parts = site.get("uncertainty", {})  # not in outputs of earlier versions
+    return dict(site) | {f"uncertainty.{name}": math.hypot(p["mesh"] or 0, p["donnings"] or 0)
+                         for name, p in parts.items()}
+
+
 def site_records(sites: Mapping[str, Any], uncovered: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Rows of sites.csv from `sites` and `uncovered_sites` of summary.json.
 
     Every row has the same keys; None where a site lacks a value.
     """
+    sites = {name: _with_uncertainty(site) for name, site in sites.items()}
     names = sorted({key for site in sites.values() for key in site if key not in _SITE_KEYS})
     rows = []
     for name, site in sites.items():

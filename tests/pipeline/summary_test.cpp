@@ -8,6 +8,7 @@
 
 #include "loosefit/io/material_file.h"
 #include "loosefit/io/scenario.h"
+#include "loosefit/pipeline/site_values.h"
 #include "loosefit/pipeline/sites_csv.h"
 
 namespace loosefit::pipeline {
@@ -169,7 +170,8 @@ TEST(SitesCsv, NamesWithControlCharactersAreEscapedAndStayOnTheirLine) {
   CaseResult result = small_result();
   result.sites[0].name = "\x1b[2Jred\nline";
   result.sites[0].panel = "ba\rck, left";
-  const std::string csv = sites_csv(result.sites, {{"gone\x07", false, "the\tgarment ends"}});
+  const std::string csv =
+      sites_csv(result.sites, 0.014, {{"gone\x07", false, "the\tgarment ends"}});
   EXPECT_NE(csv.find("\n\\x1b[2Jred\\nline,chest,\"ba\\x0dck, left\","), std::string::npos) << csv;
   EXPECT_NE(csv.find("\ngone\\x07,"), std::string::npos) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << "head and one line per site";
@@ -184,7 +186,7 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
   result.sites[0].angle = kPi / 2;
   result.sites[0].anatomy =
       placement::BodyAddress{placement::BodySegment::forearm, -1, {100, 50.04, 30.26}};
-  const std::string csv = sites_csv(result.sites);
+  const std::string csv = sites_csv(result.sites, 0.014);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "name,region,panel,u_m,v_m,x_m,y_m,z_m,angle_deg,body_segment,body_side,body_x_percent,"
             "body_y_percent,body_z_percent,distance_mm,distance_mm_worst,covered,why_not_covered");
@@ -193,7 +195,8 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
           "\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,90,forearm,right,100,50,30.3,6.5,8,yes,\n"),
       std::string::npos)
       << csv;
-  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,,,yes,\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,disc of 24 mm,,,,yes,\n"), std::string::npos)
+      << csv;
 }
 
 TEST(Summary, ClothIsNamedAfterItsConstants) {
@@ -208,6 +211,19 @@ TEST(Summary, ClothIsNamedAfterItsConstants) {
   EXPECT_EQ(json["constants"].size(), io::material_keys().size());
 }
 
+TEST(SitesCsv, UncertaintyIsOfMeshAndDonnings) {
+  CaseResult result = small_result();
+  placement::Site& site = result.sites[0];
+  site.samples = {{{"gap_mm", 2.0}}, {{"gap_mm", 4.0}}, {{"gap_mm", 6.0}}};
+  const auto json = nlohmann::json::parse(summary_json(result))["sites"][site.name]["uncertainty"];
+  EXPECT_NEAR(json["gap_mm"]["donnings"], 2, 1e-12);
+  EXPECT_TRUE(json["gap_mm"]["mesh"].is_number());
+  const std::map<std::string, Uncertainty> known = site_uncertainty(site, 0.014);
+  EXPECT_NEAR(known.at("gap_mm").whole(), std::hypot(2, known.at("gap_mm").mesh.value()), 1e-12);
+  EXPECT_FALSE(known.at("distance_mm").donnings.has_value());
+  EXPECT_FALSE(site_uncertainty(site, 0.05).contains("distance_mm")) << "no such mesh was measured";
+}
+
 TEST(Summary, UncoveredSitesAreTold) {
   CaseResult result = small_result();
   result.sites[0].not_covering = "the cloth hangs 200 mm off the skin there";
@@ -216,7 +232,7 @@ TEST(Summary, UncoveredSitesAreTold) {
   EXPECT_EQ(json["sites"]["a, \"b\""]["covered"], false);
   EXPECT_EQ(json["uncovered_sites"]["mine"]["why"], "the garment ends");
   EXPECT_EQ(json["uncovered_sites"]["wrist_L"]["preset"], true);
-  const std::string csv = sites_csv(result.sites, result.uncovered_sites);
+  const std::string csv = sites_csv(result.sites, 0.014, result.uncovered_sites);
   EXPECT_NE(csv.find(",covered,why_not_covered\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find(",no,the cloth hangs 200 mm off the skin there\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nmine,"), std::string::npos) << csv;

@@ -65,7 +65,8 @@ void write_case_files(const std::filesystem::path& folder, const CaseResult& res
   io::write_text_file((folder / "scenario.toml").string(), io::scenario_toml(result.scenario));
   if (!maps.empty())
     io::write_text_file((folder / "sites.csv").string(),
-                        sites_csv(result.sites, result.uncovered_sites, result.lines));
+                        sites_csv(result.sites, result.scenario.simulation.edge_length,
+                                  result.uncovered_sites, result.lines));
   if (!result.lines.empty())
     io::write_text_file((folder / "lines.csv").string(), lines_csv(result));
 }

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "loosefit/maps/mesh_error.h"
+
 namespace loosefit::pipeline {
 
 std::string map_mean_name(const std::string& array) {
@@ -15,6 +17,27 @@ std::map<std::string, double> site_values(const placement::Site& site) {
     values[array + "_worst"] = value.worst;
   }
   return values;
+}
+
+std::map<std::string, Uncertainty> site_uncertainty(const placement::Site& site,
+                                                    double edge_length) {
+  std::map<std::string, Uncertainty> known;
+  for (const auto& [array, value] : site.map_values)
+    if (const auto error = maps::mesh_error(array, value.mean, edge_length))
+      known[map_mean_name(array)].mesh = error;
+  for (const auto& [metric, value] : site.metrics()) {
+    if (const auto error = maps::mesh_error(metric, value, edge_length)) known[metric].mesh = error;
+    std::vector<double> samples;
+    for (const placement::MetricValues& sample : site.samples)
+      if (const auto at = sample.find(metric); at != sample.end() && std::isfinite(at->second))
+        samples.push_back(at->second);
+    if (samples.size() < 2) continue;
+    double mean = 0, squares = 0;
+    for (const double x : samples) mean += x / static_cast<double>(samples.size());
+    for (const double x : samples) squares += (x - mean) * (x - mean);
+    known[metric].donnings = std::sqrt(squares / static_cast<double>(samples.size() - 1));
+  }
+  return known;
 }
 
 std::string footprint_json(const placement::FootprintShape& shape) {

@@ -10,7 +10,7 @@
 
 namespace loosefit::pipeline {
 
-std::string sites_csv(const std::vector<placement::Site>& sites,
+std::string sites_csv(const std::vector<placement::Site>& sites, double edge_length,
                       const std::vector<placement::UncoveredSite>& uncovered,
                       const std::vector<CaseLine>& lines) {
   // Sites may lack a value: the columns are those of all sites together.
@@ -18,6 +18,8 @@ std::string sites_csv(const std::vector<placement::Site>& sites,
   std::set<std::string> names;
   for (const placement::Site& site : sites) {
     values.push_back(site_values(site));
+    for (const auto& [name, known] : site_uncertainty(site, edge_length))
+      values.back()["uncertainty." + name] = known.whole();
     for (const auto& entry : values.back()) names.insert(entry.first);
   }
   // Header: place, anatomical address, footprint, the values, cover.

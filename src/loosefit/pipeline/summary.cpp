@@ -198,8 +198,19 @@ Json garments_json(const CaseResult& result) {
   return json;
 }
 
-/// `by_donning`: also every sample of the sensor, not their medians alone.
-Json site_json(const placement::Site& site, bool by_donning) {
+/// `by_donning`: also every sample of the sensor, not their medians alone, and what values may be
+/// off by on a mesh of this edge length [m].
+Json uncertainty_json(const placement::Site& site, double edge_length) {
+  const auto number = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
+  Json json = Json::object();
+  for (const auto& [name, known] : site_uncertainty(site, edge_length))
+    json[name] = {{"mesh", number(known.mesh)}, {"donnings", number(known.donnings)}};
+  return json;
+}
+
+Json site_json(const placement::Site& site, bool by_donning, double edge_length) {
   Json json = {{"panel", site.panel},
                {"u_m", site.at.x()},
                {"v_m", site.at.y()},
@@ -218,6 +229,7 @@ Json site_json(const placement::Site& site, bool by_donning) {
   json["footprint"] = Json::parse(footprint_json(site.shape));
   for (const auto& [name, value] : site_values(site)) json[name] = value;
   if (by_donning) {
+    json["uncertainty"] = uncertainty_json(site, edge_length);
     Json& all = json["by_donning"] = Json::object();
     for (std::size_t k = 0; k < site.samples.size(); ++k)
       for (const auto& [name, value] : site.samples[k]) {
@@ -377,7 +389,8 @@ void add_wear(const CaseWear& wear, const garment::Garment& garment, Json& json)
       entry["unsettled"] = unsettled_json(*s.drape().unsettled);
     if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps, garment, s.maps.worn);
     if (!s.maps.wrinkles.empty()) entry["wrinkles"] = wrinkles_json(s.maps.wrinkles);
-    for (const placement::Site& site : s.sites) entry["sites"][site.name] = site_json(site, false);
+    for (const placement::Site& site : s.sites)
+      entry["sites"][site.name] = site_json(site, false, 0);
     if (!report.parts.empty()) entry["parts"] = parts_json(report.parts);
     json["states"].push_back(std::move(entry));
   }
@@ -448,7 +461,8 @@ std::string summary_json(const CaseResult& result) {
   else if (result.scenario.donning.first_drawn)
     json["donnings"] = donnings_json(planned_donnings(result.scenario.donning));
   json["sites"] = Json::object();
-  for (const placement::Site& site : result.sites) json["sites"][site.name] = site_json(site, true);
+  for (const placement::Site& site : result.sites)
+    json["sites"][site.name] = site_json(site, true, result.scenario.simulation.edge_length);
   for (const CaseLine& line : result.lines)
     json["lines"][line.name] = Json::parse(lines_json(line, mesh));
   for (const placement::UncoveredSite& line : result.lines_left_out)
