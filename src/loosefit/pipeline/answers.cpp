@@ -18,10 +18,16 @@ namespace {
 
 /// Two digits: no quantity is known better.
 std::string number_words(double value) {
-  const double digits = std::abs(value) >= 10 ? 0 : 1 - std::floor(std::log10(std::abs(value)));
-  if (value == 0 || !std::isfinite(digits)) return "0";
-  const double step = std::pow(10.0, -std::max(0.0, digits));
-  return shortest(std::round(value / step) * step + 0.0);
+  if (!std::isfinite(value)) return "unknown";
+  const double size = std::abs(value);
+  const int decimals =
+      size > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 6) : 0;
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
 }
 
 /// "3.5 degrees", "0.65 kPa".
@@ -70,17 +76,20 @@ std::string mark_words(const placement::Criterion& criterion, double pass) {
                      value_words(first, unit));
 }
 
+/// What the criteria that a run cannot tell are about, and what they need.
+std::string untold(const placement::Scorecard& card) {
+  std::vector<std::string> words;
+  for (const std::string& metric : card.left_out)
+    words.push_back(words_of(metric) + " (needs " + placement::find_metric(metric)->needs + ")");
+  return join(words, "; ");
+}
+
 std::string pass_mark(const placement::Scorecard& card) {
   std::vector<std::string> marks;
   for (const placement::Criterion& criterion : card.criteria)
     marks.push_back(mark_words(criterion, card.pass));
   std::string text = "Pass mark: " + join(marks, "; ");
-  if (!card.left_out.empty()) {
-    std::vector<std::string> untold;
-    for (const std::string& metric : card.left_out)
-      untold.push_back(words_of(metric) + " (needs " + placement::find_metric(metric)->needs + ")");
-    text += ". Not judged: " + join(untold, "; ");
-  }
+  if (!card.left_out.empty()) text += ". Not judged: " + untold(card);
   return sentence(text);
 }
 
@@ -137,8 +146,8 @@ void add_expectation(const placement::RankingTable& table, int index, Answer& an
             ? number_words(answer.low) + " to " + number_words(answer.high) + ", "
             : "";
     answer.expectation =
-        fmt::format("Expect {} of {} ({}{}).", value_words(answer.expected, answer.unit),
-                    words_of(criterion.metric), interval,
+        fmt::format("Expect {}: {} ({}{}).", words_of(criterion.metric),
+                    value_words(answer.expected, answer.unit), interval,
                     of_samples(static_cast<int>(values.size()), answer.people));
     return;
   }
@@ -183,7 +192,10 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
   answer.shape = place.shape;
   answer.samples = table.ranking.samples;
   answer.pass_mark = pass_mark(table.scorecard);
-  if (score.rated()) answer.passes = score.robust >= table.scorecard.pass;
+  // Scores of a part of the criteria are upper bounds: they can fail a place, not pass it.
+  const bool whole = table.scorecard.left_out.empty();
+  const bool so_far = score.rated() && score.robust >= table.scorecard.pass;
+  if (score.rated() && (whole || !so_far)) answer.passes = so_far;
   const std::string where =
       place_on_body(result.body.body.body(), region_named(place.region), place.anatomy) + " (" +
       place_on_panel(result.studied().pattern.pattern, place.panel, place.at) + ")";
@@ -193,6 +205,8 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
     answer.place = "Sew it on " + where + ".";
   else if (answer.passes)
     answer.place = "No place passes; the best is " + where + ".";
+  else if (so_far)
+    answer.place = "The best place is " + where + ".";
   else
     answer.place = "No place can be rated; the first is " + where + ".";
   add_expectation(table, site.index, answer);
@@ -201,13 +215,15 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
     return answer;
   }
   for (double q : score.samples) answer.passing += q >= table.scorecard.pass;
-  const std::string bound = table.scorecard.left_out.empty() ? "" : ", as far as this run can tell";
   answer.verdict =
       answer.samples == 1
-          ? fmt::format("It {}{}.", answer.passing ? "passes" : "does not pass", bound)
-          : fmt::format("It passes in {} of {} donnings{}.", answer.passing, answer.samples, bound);
+          ? fmt::format("It {}.", answer.passing ? "passes" : "does not pass")
+          : fmt::format("It passes in {} of {} donnings.", answer.passing, answer.samples);
+  if (!whole && so_far)
+    answer.verdict = "Undecided: what this run can tell passes, but it cannot tell " +
+                     untold(table.scorecard) + ".";
   answer.limit = limit_words(score.reason);
-  if (!*answer.passes) answer.need = need_words(table, site);
+  if (!so_far) answer.need = need_words(table, site);
   return answer;
 }
 

@@ -101,7 +101,7 @@ std::string link(const std::string& file) {
 
 std::string card(const pipeline::CaseResult& result, const pipeline::Answer& answer) {
   const char* kind = !answer.passes ? "warn" : *answer.passes ? "good" : "bad";
-  const char* word = !answer.passes ? "not rated" : *answer.passes ? "passes" : "does not pass";
+  const char* word = !answer.passes ? "undecided" : *answer.passes ? "passes" : "does not pass";
   std::string text = element("h2", "<span class=\"verdict " + std::string(kind) + "\">" + word +
                                        "</span>" + escaped(answer.sensor));
   text += element("p", element("strong", escaped(answer.place)) + " " +
