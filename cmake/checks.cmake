@@ -61,4 +61,7 @@ if(LOOSEFIT_NODE)
   add_test(NAME page_types COMMAND ${LOOSEFIT_NODE} ${loosefit_page}/npm/node_modules/typescript/bin/tsc
     -p ${loosefit_page}/npm)
   set_tests_properties(page_in_a_browser PROPERTIES FIXTURES_REQUIRED page TIMEOUT 300)
+  add_test(NAME report_contradicts_nothing COMMAND ${LOOSEFIT_PYTHON}
+    ${PROJECT_SOURCE_DIR}/tools/find_contradictions.py ${loosefit_page}/run)
+  set_tests_properties(report_contradicts_nothing PROPERTIES FIXTURES_REQUIRED page)
 endif()

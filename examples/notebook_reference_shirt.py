@@ -170,7 +170,7 @@ def figure(result):
 # %%
 def table_of_sites(result):
     for site in result.sites:
-        if site["panel"]:
+        if site["panel"] and site["angular_deviation_deg"] is not None:  # a girth has no one turn
             print(f"{site['name']:16} {site['region']:14} gap {site['distance_mm']:6.1f} mm, "
                   f"{site['angular_deviation_deg']:5.1f} deg off the body")
 

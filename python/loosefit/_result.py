@@ -259,7 +259,7 @@ class State:
 
     @cached_property
     def sites(self) -> list[dict[str, Any]]:
-        """As Result.sites; only in the reference posture."""
+        """As Result.sites, of this state alone: turn and slip are those since the reference posture."""
         return site_records(self._summary.get("sites", {}), {})
 
 
@@ -388,6 +388,9 @@ class Result:
     @cached_property
     def sites(self) -> list[dict[str, Any]]:
         """A record per place of a sensor, as the rows of sites.csv; pandas.DataFrame takes it.
+
+        A metric of scorecards is that of the site's sensor, the median over the donnings;
+        `<array>_map` is the mean of a map's points in the footprint.
 
         Of a wished site that the garment does not cover only the name is known. Raises NotSettled
         for a sealed drape.

@@ -104,7 +104,7 @@ TEST_F(OnTheWall, OnePostureOfOneDonningLeavesOutWhatNeedsMore) {
        {"coe_rms_deg", "coe_p95_deg", "donning_coe_deg", "gap_swing_mm", "contact_duty",
         "pressure_kPa", "pressure_min_kPa", "pressure_swing_kPa", "strain_swing", "slip_mm"})
     EXPECT_FALSE(m.count(name)) << name;
-  EXPECT_EQ(m.size(), 12u);
+  EXPECT_EQ(m.size(), 14u);
   EXPECT_TRUE(site_metrics_by_donning({}).empty());
 }
 
@@ -113,7 +113,7 @@ TEST_F(OnTheWall, TwoPosturesOfTwoDonningsGiveAllOfTheVocabularyThatIsNotDerived
     add(k % 2, k / 2, plain(0.01 * (k + 1)), wall_, [](int) { return 1; });
   const Metrics m = metrics();
   for (const auto& [name, value] : m) EXPECT_NE(find_metric(name), nullptr) << name;
-  EXPECT_EQ(m.size(), 22u);
+  EXPECT_EQ(m.size(), 27u);
 }
 
 // The wearer moves; the sensor turns with the body but for a known angle.

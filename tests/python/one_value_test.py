@@ -1,5 +1,6 @@
 """One quantity has one name and one value in all that a case gives."""
 import csv
+import importlib.util
 import json
 import math
 import pathlib
@@ -125,6 +126,21 @@ class OneCase(unittest.TestCase):
                 here = told["sites"]["board"][f"coe_{axis}_deg"]
                 donning = self.summary["sites"]["board"]["by_donning"][f"coe_{axis}_deg"]
                 self.assertAlmostEqual(here, donning[told["donning"] - 1], places=9)
+
+    def test_drapes_tell_the_region_under_every_point(self):
+        spec = importlib.util.spec_from_file_location("find_contradictions", SCRIPT)
+        script = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(script)
+        drapes = sorted(self.output.rglob("drape.vtp"))
+        self.assertEqual(len(drapes), 4)
+        for drape in drapes:
+            arrays = script.read_vtp(drape)
+            self.assertIn(b"region_names", drape.read_bytes())
+            self.assertEqual(len(arrays["region_id"]), len(arrays["distance_mm"]))
+            self.assertGreater(len(set(arrays["region_id"])), 4)
+        # The medians of a map by region are those of the points that the file puts there.
+        told = self.summary["maps"]["distance_mm"]["regions"]
+        self.assertEqual(len(told), len(set(script.read_vtp(self.output / "drape.vtp")["region_id"])))
 
     def test_answers_are_the_same_on_terminal_page_and_in_the_summary(self):
         page = (self.output / "report.html").read_text(encoding="utf-8")

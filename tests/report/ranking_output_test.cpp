@@ -68,8 +68,9 @@ TEST(RankingText, OneSampleHasNoColumnsOfSpread) {
   t.sample_names = {"only"};
   const auto text = lines(ranking_text(t));
   EXPECT_EQ(text[0], "Plain sensor: 1 sample, passes from 0.5");
-  EXPECT_EQ(text[2], "rank  site  score  limited by");
-  EXPECT_EQ(text[3], "1     a     0.40   lifts off: 0.4, good from 1, fails at 0");
+  EXPECT_EQ(text[2], "rank  site  panel u, v [mm]  score  limited by");
+  EXPECT_EQ(text[3],
+            "1     a     front 100, 200   0.40   lifts off: 0.4, good from 1, fails at 0");
 }
 
 TEST(RankingText, OfAPartSaysThatScoresAreBounds) {

@@ -15,9 +15,7 @@ struct Answer {
   std::string sensor;    ///< its title
   std::string site;      ///< name of the place: a preset, a [[site]], best_1; of a line its name
   bool asked = false;    ///< by [ranking] or [[site]]; else one of the usual sensors
-  std::optional<bool> passes;  ///< by the robust score; absent: not rated
-  /// False: the interval that is expected holds the pass mark, so that the verdict may be chance.
-  bool decided = true;
+  std::optional<bool> passes;  ///< by the robust score; absent: undecided or not rated
 
   // What is expected: median, least and greatest over the samples.
   std::string metric, unit;  ///< of metric_vocabulary(); empty: nothing known

@@ -25,8 +25,14 @@ int decimals_of(double value) {
 }
 
 std::string number_words(double value) {
-  const std::string text = fmt::format("{:.{}f}", value, decimals_of(value));
-  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  if (!std::isfinite(value)) return "unknown";
+  const int decimals = decimals_of(value);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (decimals > 0) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
 }
 
 /// Both ends as exactly as the one that is farther from zero.
@@ -81,17 +87,20 @@ std::string mark_words(const placement::Criterion& criterion, double pass) {
                      value_words(first, unit));
 }
 
+/// What the criteria that a run cannot tell are about, and what they need.
+std::string untold(const placement::Scorecard& card) {
+  std::vector<std::string> words;
+  for (const std::string& metric : card.left_out)
+    words.push_back(words_of(metric) + " (needs " + placement::find_metric(metric)->needs + ")");
+  return join(words, "; ");
+}
+
 std::string pass_mark(const placement::Scorecard& card) {
   std::vector<std::string> marks;
   for (const placement::Criterion& criterion : card.criteria)
     marks.push_back(mark_words(criterion, card.pass));
   std::string text = "Pass mark: " + join(marks, "; ");
-  if (!card.left_out.empty()) {
-    std::vector<std::string> untold;
-    for (const std::string& metric : card.left_out)
-      untold.push_back(words_of(metric) + " (needs " + placement::find_metric(metric)->needs + ")");
-    text += ". Not judged: " + join(untold, "; ");
-  }
+  if (!card.left_out.empty()) text += ". Not judged: " + untold(card);
   return sentence(text);
 }
 
@@ -142,7 +151,8 @@ std::optional<double> mesh_error_of(const std::string& metric, double value, dou
   return {};
 }
 
-void add_expectation(const placement::RankingTable& table, int index, double edge_length,
+/// Whether the interval that is expected holds the pass mark, so that a verdict may be chance.
+bool add_expectation(const placement::RankingTable& table, int index, double edge_length,
                      Answer& answer) {
   for (const placement::Criterion& criterion : table.scorecard.criteria) {
     const std::vector<double> values = values_of(table, index, criterion.metric);
@@ -157,17 +167,18 @@ void add_expectation(const placement::RankingTable& table, int index, double edg
     const bool interval = error > 0 || values.size() > 1;
     const double low = answer.low >= 0 ? std::max(0.0, answer.low - error) : answer.low - error;
     answer.expectation = fmt::format(
-        "Expect {} of {} ({}{}, {}).", value_words(answer.expected, answer.unit),
-        words_of(criterion.metric), interval ? interval_words(low, answer.high + error) + ": " : "",
+        "Expect {}: {} ({}{}, {}).", words_of(criterion.metric),
+        value_words(answer.expected, answer.unit),
+        interval ? interval_words(low, answer.high + error) + ": " : "",
         of_samples(static_cast<int>(values.size()), answer.people),
         answer.mesh_error ? "with the error of the mesh" : "error of the mesh not known");
     const auto inside = [&](double at) {
       return at > answer.low - error && at < answer.high + error;
     };
-    answer.decided = !inside(mark(criterion.limit, table.scorecard.pass)) &&
-                     !(criterion.upper && inside(mark(*criterion.upper, table.scorecard.pass)));
-    return;
+    return inside(mark(criterion.limit, table.scorecard.pass)) ||
+           (criterion.upper && inside(mark(*criterion.upper, table.scorecard.pass)));
   }
+  return false;
 }
 
 /// What would tell whether a place passes: a finer mesh, where that is the larger part of the
@@ -227,20 +238,24 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
   answer.shape = place.shape;
   answer.samples = table.ranking.samples;
   answer.pass_mark = pass_mark(table.scorecard);
-  if (score.rated()) answer.passes = score.robust >= table.scorecard.pass;
+  // Scores of a part of the criteria are upper bounds: they can fail a place, not pass it.
+  const bool whole = table.scorecard.left_out.empty();
+  const bool so_far = score.rated() && score.robust >= table.scorecard.pass;
+  const bool straddles =
+      add_expectation(table, site.index, result.scenario.simulation.edge_length, answer) &&
+      score.rated();
+  if (score.rated() && !straddles && (whole || !so_far)) answer.passes = so_far;
   const std::string where =
       place_on_body(result.body.body.body(), region_named(place.region), place.anatomy) + " (" +
       place_on_panel(result.studied().pattern.pattern, place.panel, place.at) + ")";
-  add_expectation(table, site.index, result.scenario.simulation.edge_length, answer);
-  answer.decided |= !score.rated();
   if (!best)
     answer.place = "At " + site.name + ", " + where + ".";
-  else if (!answer.decided)
-    answer.place = "The best place is " + where + ".";
   else if (answer.passes.value_or(false))
     answer.place = "Sew it on " + where + ".";
   else if (answer.passes)
     answer.place = "No place passes; the best is " + where + ".";
+  else if (score.rated())
+    answer.place = "The best place is " + where + ".";
   else
     answer.place = "No place can be rated; the first is " + where + ".";
   if (!score.rated()) {
@@ -248,16 +263,18 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
     return answer;
   }
   for (double q : score.samples) answer.passing += q >= table.scorecard.pass;
-  const std::string bound = table.scorecard.left_out.empty() ? "" : ", as far as this run can tell";
   answer.verdict =
       answer.samples == 1
-          ? fmt::format("It {}{}.", answer.passing ? "passes" : "does not pass", bound)
-          : fmt::format("It passes in {} of {} donnings{}.", answer.passing, answer.samples, bound);
+          ? fmt::format("It {}.", answer.passing ? "passes" : "does not pass")
+          : fmt::format("It passes in {} of {} donnings.", answer.passing, answer.samples);
+  if (!whole && so_far)
+    answer.verdict = "Undecided: what this run can tell passes, but it cannot tell " +
+                     untold(table.scorecard) + ".";
   answer.limit = limit_words(score.reason);
-  if (!answer.decided) {
+  if (straddles) {
     answer.verdict = "Undecided: the pass mark lies within that interval. " + answer.verdict;
     answer.need = deciding_words(result, answer);
-  } else if (!*answer.passes) {
+  } else if (!so_far) {
     answer.need = need_words(table, site);
   }
   return answer;

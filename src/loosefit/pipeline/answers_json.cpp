@@ -16,7 +16,6 @@ std::string answers_json(const std::vector<Answer>& answers) {
                   {"site", a.site},
                   {"asked", a.asked},
                   {"passes", a.passes ? Json(*a.passes) : Json(nullptr)},
-                  {"decided", a.decided},
                   {"text", a.text()}};
     for (const auto& [key, words] : {std::pair{"place", a.place},
                                      {"expectation", a.expectation},

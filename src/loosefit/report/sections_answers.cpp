@@ -101,12 +101,8 @@ std::string link(const std::string& file) {
 }
 
 std::string card(const pipeline::CaseResult& result, const pipeline::Answer& answer) {
-  const bool known = answer.passes && answer.decided;
-  const char* kind = !known ? "warn" : *answer.passes ? "good" : "bad";
-  const char* word = !answer.passes    ? "not rated"
-                     : !answer.decided ? "undecided"
-                     : *answer.passes  ? "passes"
-                                       : "does not pass";
+  const char* kind = !answer.passes ? "warn" : *answer.passes ? "good" : "bad";
+  const char* word = !answer.passes ? "undecided" : *answer.passes ? "passes" : "does not pass";
   std::string text = element("h2", "<span class=\"verdict " + std::string(kind) + "\">" + word +
                                        "</span>" + escaped(answer.sensor));
   text +=
