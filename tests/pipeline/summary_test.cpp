@@ -189,11 +189,11 @@ TEST(SitesCsv, QuotesAndKeepsColumnsAlike) {
   const std::string csv = sites_csv(result.sites, 0.014);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
             "name,region,panel,u_m,v_m,x_m,y_m,z_m,angle_deg,body_segment,body_side,body_x_percent,"
-            "body_y_percent,body_z_percent,distance_mm,distance_mm_worst,covered,why_not_covered");
-  EXPECT_NE(
-      csv.find(
-          "\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,90,forearm,right,100,50,30.3,6.5,8,yes,\n"),
-      std::string::npos)
+            "body_y_percent,body_z_percent,footprint,distance_mm,distance_mm_worst,"
+            "uncertainty.distance_mm,covered,why_not_covered");
+  EXPECT_NE(csv.find("\"a, \"\"b\"\"\",chest,back,0.1,-0.2,0,0,0,90,forearm,right,100,50,30.3,disc "
+                     "of 24 mm,6.5,8,0.51,yes,\n"),
+            std::string::npos)
       << csv;
   EXPECT_NE(csv.find("plain,chest,,0,0,0,0,0,0,,,,,,disc of 24 mm,,,,yes,\n"), std::string::npos)
       << csv;
