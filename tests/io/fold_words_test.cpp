@@ -11,6 +11,7 @@
 #include "loosefit/io/read_pattern.h"
 #include "loosefit/io/svg/svg_read.h"
 #include "loosefit/pattern/hole.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -42,18 +43,13 @@ std::string half_skirt(double top, double flare, double length, const std::strin
 
 class FoldWords : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / "loosefit_fold_words";
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   PatternFile read(const std::string& text, const std::string& side = {}) const {
     std::filesystem::remove(folder_ / "skirt.seams.toml");
     std::ofstream(folder_ / "skirt.svg") << text;
     if (!side.empty()) std::ofstream(folder_ / "skirt.seams.toml") << side;
     return read_pattern(folder_ / "skirt.svg");
   }
-  std::filesystem::path folder_;
+  const support::ScratchFolder folder_;
 };
 
 TEST_F(FoldWords, HalvesWhoseFoldNoLineMarksAreSewnOnlyWhenSomebodyHasLooked) {
