@@ -25,6 +25,9 @@ add_test(NAME library_outside_the_tree COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJEC
 add_test(NAME study_kills
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/kill_test.py $<TARGET_FILE:loosefit> --people 1 --kills 3)
 set_tests_properties(study_kills PROPERTIES SKIP_RETURN_CODE 77)  # where no full disk can be made
+add_test(NAME run_on_a_full_disk
+  COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/cli/full_disk_test.py $<TARGET_FILE:loosefit>)
+set_tests_properties(run_on_a_full_disk PROPERTIES SKIP_RETURN_CODE 77)
 add_test(NAME study_read_only
   COMMAND ${LOOSEFIT_PYTHON} ${PROJECT_SOURCE_DIR}/tests/study/read_only_test.py $<TARGET_FILE:loosefit>)
 add_test(NAME study_names

@@ -1,7 +1,6 @@
 #include "loosefit/base/control_groups.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,15 +8,15 @@
 #include <random>
 #include <string>
 
+#include "support/scratch_folder.h"
+
 namespace loosefit {
 namespace fs = std::filesystem;
 namespace {
 
 /// A machine's control groups as files.
 struct Groups : ::testing::Test {
-  fs::path base = fs::temp_directory_path() / ("loosefit-groups-" + std::to_string(getpid()));
-  void SetUp() override { fs::create_directories(base); }
-  void TearDown() override { fs::remove_all(base); }
+  const support::ScratchFolder base;
   void write(const fs::path& file, const std::string& text) const {
     fs::create_directories((base / file).parent_path());
     std::ofstream(base / file) << text << "\n";
@@ -57,7 +56,7 @@ TEST_F(Groups, InAContainerTheRootIsTheOwnGroup) {
 TEST_F(Groups, TheTightestOfANestCounts) {
   std::mt19937 random(61);
   for (int draw = 0; draw < 30; ++draw) {
-    fs::remove_all(base);
+    base.clear();
     const bool second = random() % 2;
     const fs::path root = second ? "mounts" : "mounts/cpu";
     fs::path group;

@@ -1,12 +1,12 @@
 #include "loosefit/base/disk_cache.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "loosefit/base/sha256.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit {
 namespace {
@@ -15,17 +15,16 @@ namespace fs = std::filesystem;
 
 class DiskCache : public ::testing::Test {
  protected:
-  const fs::path base = fs::temp_directory_path() / ("loosefit-cache-" + std::to_string(getpid()));
+  const support::ScratchFolder scratch;
+  const fs::path base = scratch / "cache";
   const std::string key = sha256_hex("a key");
   void SetUp() override {
-    fs::remove_all(base);
     setenv("LOOSEFIT_CACHE", base.c_str(), 1);
     disk_cache::turn_on(true);
   }
   void TearDown() override {
     disk_cache::turn_on(false);
     unsetenv("LOOSEFIT_CACHE");
-    fs::remove_all(base);
   }
 };
 

@@ -1,11 +1,12 @@
 #include "loosefit/base/paths.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+
+#include "support/scratch_folder.h"
 
 namespace loosefit {
 namespace {
@@ -15,16 +16,12 @@ namespace fs = std::filesystem;
 /// A folder of its own; takes back what a test told the process.
 class Paths : public ::testing::Test {
  protected:
-  const fs::path base = fs::temp_directory_path() / ("loosefit-paths-" + std::to_string(getpid()));
-  void SetUp() override {
-    fs::create_directories(base);
-    unsetenv("LOOSEFIT_DATA");
-  }
+  const support::ScratchFolder base;
+  void SetUp() override { unsetenv("LOOSEFIT_DATA"); }
   void TearDown() override {
     use_data_folder({});
     use_installation({});
     unsetenv("LOOSEFIT_DATA");
-    fs::remove_all(base);
   }
   fs::path folder(const std::string& name, bool body, bool materials) const {
     fs::create_directories(base / name);

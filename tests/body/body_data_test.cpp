@@ -11,6 +11,7 @@
 #include "loosefit/body/catmull_clark.h"
 #include "loosefit/body/raw_body_data.h"
 #include "support/body_fixture.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::body {
 namespace {
@@ -89,14 +90,14 @@ TEST(RawBodyData, RepairMakesALopsidedTargetSymmetric) {
 }
 
 TEST(RawBodyData, BakingAgainGivesTheSameFile) {
-  const auto path = std::filesystem::temp_directory_path() / "loosefit_bake_test.lfb";
+  const support::ScratchFolder scratch;
+  const auto path = scratch / "baked.lfb";
   write_body_data(path.string(), bake_body_data(LOOSEFIT_SOURCE_DIR "/var/body/raw"));
   const auto bytes = [](const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     return std::string((std::istreambuf_iterator<char>(in)), {});
   };
   EXPECT_TRUE(bytes(path) == bytes(default_body_data_path()));
-  std::filesystem::remove(path);
 }
 
 TEST(BodyData, SkinIsClosedManifoldAndOutward) {
@@ -168,10 +169,10 @@ TEST(BodyData, SkinWeightsAreSymmetricAndSumToOne) {
 
 TEST(BodyData, MissingAndDamagedFilesAreNamed) {
   EXPECT_THROW(read_body_data("/nonexistent/body.lfb"), IoError);
-  const auto folder = std::filesystem::temp_directory_path();
+  const support::ScratchFolder folder;
   std::ifstream in(default_body_data_path(), std::ios::binary);
   const std::string good((std::istreambuf_iterator<char>(in)), {});
-  const auto path = (folder / "loosefit_damaged_test.lfb").string();
+  const auto path = (folder / "damaged.lfb").string();
   const auto refuse = [&](const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
     try {
@@ -191,7 +192,6 @@ TEST(BodyData, MissingAndDamagedFilesAreNamed) {
   std::string version = good;
   version[7] = '9';
   refuse(version);
-  std::filesystem::remove(path);
 }
 
 }  // namespace

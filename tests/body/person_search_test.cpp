@@ -137,6 +137,22 @@ TEST(PersonSearch, AGirthThatIsMissedIsRefusedOnLimbsToo) {
   }
 }
 
+// Of wishes at odds each is told: the odd one as the error, those that the nearest body misses with
+// it beside its limit, those that it meets not.
+TEST(PersonSearch, WishesAtOddsAreAllNamed) {
+  for (const auto& [chest, waist] : {std::pair(0.80, 1.25), std::pair(0.84, 1.35)}) {
+    BodySpec spec;
+    spec.sex = 1, spec.height = 1.80;
+    spec.measurements = {{"chest", chest}, {"waist", waist}, {"hip", chest}, {"wrist", 0.17}};
+    const Refusal told = refusal(spec);
+    EXPECT_EQ(told.key, "waist");
+    for (const char* other : {"chest", "hip"})
+      EXPECT_NEAR(number_after(told.expected, std::string("beside .*") + other), chest, 1e-9)
+          << told.expected;
+    EXPECT_EQ(told.expected.find("wrist"), std::string::npos) << told.expected;
+  }
+}
+
 TEST(PersonSearch, TheEndOfTheModelIsTold) {
   const Refusal told =
       refusal({.sex = 1, .age = 45, .height = 1.75, .measurements = {{"waist", 1.8}}});

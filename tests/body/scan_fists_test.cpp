@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 
+#include "support/cut_scan.h"
 #include "support/scanned_twin.h"
 
 // Many a scan is taken with the hands closed: round ends without fingers.
@@ -92,8 +93,9 @@ geometry::TriangleMesh with_fists(const Body& body, double radius, const Sides& 
 }
 
 /// A scan with the measures of its owner, of whose hands this was told.
-void expect_right_without_hands(const Body& known, const geometry::TriangleMesh& scan,
-                                const std::string& told = "a hand is closed or held") {
+void expect_right_without_hands(
+    const Body& known, const geometry::TriangleMesh& scan,
+    const std::string& told = "a hand is closed, ends in the palm, or is held") {
   const support::ScanVerdict found = support::read_scan(support::as_scan(scan));
   EXPECT_EQ(found.reason, "");
   EXPECT_TRUE(std::ranges::any_of(found.warnings, [&](const std::string& warning) {
@@ -119,6 +121,29 @@ TEST(ScanFists, OneFistOfAChildChangesNoOtherMeasure) {
   const BodyParameters twin = support::person(0, 6, 1.15, 0.58, 0.54, 0.60);
   const Body known = body_model().build(twin, {radians(40), 0, 0});
   expect_right_without_hands(known, with_fists(known, 0.029, {"L"}));
+}
+
+// What ends in the palm is a hand without fingers: the wrist is there, and it is told.
+TEST(ScanFists, AHandThatEndsInThePalmIsTold) {
+  const BodyParameters twin = support::person(1, 40, 1.78, 1.02, 0.90, 1.02);
+  const Body known = body_model().build(twin, {radians(40), 0, 0});
+  for (const double share : {0.4, 0.6}) {
+    SCOPED_TRACE(share);
+    const Vec3 wrist = known.joints.at("wrist_L"), way = wrist - known.joints.at("elbow_L");
+    std::vector<double> beyond(known.segment.size(), 0);
+    double hand = 0;
+    for (std::size_t v = 0; v < beyond.size(); ++v)
+      if (known.segment[v] == Segment::hand && known.side[v] > 0) {
+        beyond[v] = way.normalized().dot(known.surface.vertices[v] - wrist);
+        hand = std::max(hand, beyond[v]);
+      }
+    std::vector<char> gone(beyond.size(), 0);
+    for (std::size_t v = 0; v < gone.size(); ++v) gone[v] = beyond[v] > share * hand;
+    geometry::TriangleMesh scan = support::without(known.surface, gone);
+    support::close(scan);
+    drop_unused(scan);
+    expect_right_without_hands(known, scan);
+  }
 }
 
 TEST(ScanFists, MissingHandChangesNoOtherMeasure) {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/io/text_file.h"
 #include "support/program_output.h"
+#include "support/scratch_folder.h"
 
 // A name that is empty or blank is refused at every door, before anything is done or written.
 namespace loosefit {
@@ -12,15 +12,13 @@ namespace fs = std::filesystem;
 namespace {
 
 struct BlankValues : ::testing::Test {
-  fs::path base = fs::temp_directory_path() / ("loosefit-blank-" + std::to_string(getpid()));
+  const support::ScratchFolder base;
   void SetUp() override {
-    fs::create_directories(base);
     io::write_text_file((base / "case.toml").string(), "[simulation]\nedge_length = 0.05\n");
     io::write_text_file((base / "study.toml").string(),
                         "[study]\nname = \"small\"\nbase = \"case.toml\"\n[[axis]]\nname = \"h\"\n"
                         "key = \"body.height\"\nvalues = [1.6, 1.7]\n");
   }
-  void TearDown() override { fs::remove_all(base); }
   ProgramRun here(const std::string& arguments) const {
     return run_program("bash -c 'cd " + base.string() + "; timeout 60 " + LOOSEFIT_BINARY + " " +
                        arguments + "'");

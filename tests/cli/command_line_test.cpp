@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/io/text_file.h"
 #include "support/run_program.h"
+#include "support/scratch_folder.h"
 #include "support/trunk_tubes.h"
 
 // The contract of the command line: exit codes, one error line with a place, folders left alone.
@@ -13,14 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct CommandLine : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-cli-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override {
-    fs::remove_all(base);
-    fs::create_directories(base);
-  }
-  void TearDown() override { fs::remove_all(base); }
+  const support::ScratchFolder base;
   std::string file(const std::string& name, const std::string& text) const {
     io::write_text_file((base / name).string(), text);
     return (base / name).string();

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/io/text_file.h"
 #include "support/program_output.h"
+#include "support/scratch_folder.h"
 
 // `--json`: one document on standard output whatever happens, and exit codes that stay.
 namespace loosefit {
@@ -20,11 +20,7 @@ const char* const kStopped =
     "[[site]]\nname = \"spine\"\nlandmark = \"mid_back\"\n";
 
 struct JsonOutput : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-json-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(base); }
-  void TearDown() override { fs::remove_all(base); }
+  const support::ScratchFolder base;
   std::string file(const std::string& name, const std::string& text) const {
     io::write_text_file((base / name).string(), text);
     return (base / name).string();

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <random>
 
 #include "loosefit/io/text_file.h"
 #include "support/program_output.h"
+#include "support/scratch_folder.h"
 
 // What the machine has not, the program tells in words, within seconds.
 namespace loosefit {
@@ -15,11 +15,8 @@ namespace {
 constexpr int kLoaderGaveUp = 127;  ///< too little for the libraries: the program has not begun
 
 struct MachineLimits : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-limits-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder base;
   void SetUp() override {
-    fs::create_directories(base);
     io::write_text_file((base / "case.toml").string(),
                         "[garment]\npattern = \"tank-top\"\n[donning]\nmovements = []\n"
                         "[simulation]\nedge_length = 0.05\nmax_iterations = 30\n");
@@ -27,7 +24,6 @@ struct MachineLimits : ::testing::Test {
                         "[study]\nname = \"small\"\nbase = \"case.toml\"\n[[axis]]\nname = \"h\"\n"
                         "key = \"body.height\"\nvalues = [1.6, 1.7]\n");
   }
-  void TearDown() override { fs::remove_all(base); }
 
   /// With so many KiB of address space, and at most a minute.
   ProgramRun within(int kilobytes, const std::string& arguments) const {

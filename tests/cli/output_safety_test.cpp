@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
 
 #include "loosefit/io/text_file.h"
 #include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 // What people keep in an output folder survives every command, on a full disk too, and a command
 // whose output does not arrive does not succeed.
@@ -18,15 +18,8 @@ const char* const kStopped = "[simulation]\nedge_length = 0.05\nmax_iterations =
 const std::string kLoosefit = LOOSEFIT_BINARY;
 
 struct OutputSafety : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-safe-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder base;
   std::string out = (base / "out").string();
-  void SetUp() override {
-    fs::remove_all(base);
-    fs::create_directories(base);
-  }
-  void TearDown() override { fs::remove_all(base); }
 
   std::string file(const std::string& name, const std::string& text) const {
     fs::create_directories((base / name).parent_path());

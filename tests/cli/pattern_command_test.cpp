@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -12,6 +11,7 @@
 #include "support/drawn_tshirt.h"
 #include "support/dxf_text.h"
 #include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit {
 namespace {
@@ -20,12 +20,7 @@ namespace fs = std::filesystem;
 
 class PatternCommand : public testing::Test {
  protected:
-  fs::path base = fs::temp_directory_path() / ("loosefit-pattern-" + std::to_string(getpid()));
-  void SetUp() override {
-    fs::remove_all(base);
-    fs::create_directories(base);
-  }
-  void TearDown() override { fs::remove_all(base); }
+  const support::ScratchFolder base;
   std::string file(const std::string& name, const std::string& text) const {
     io::write_text_file((base / name).string(), text);
     return (base / name).string();

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/io/text_file.h"
 #include "support/program_output.h"
+#include "support/scratch_folder.h"
 
 // The commands of a study that run no case: documents of theirs, and folders that are none.
 namespace loosefit {
@@ -14,11 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 struct StudyCommand : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-study-command-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(base); }
-  void TearDown() override { fs::remove_all(base); }
+  const support::ScratchFolder base;
   std::string path(const std::string& name) const { return (base / name).string(); }
   std::string file(const std::string& name, const std::string& text) const {
     fs::create_directories((base / name).parent_path());

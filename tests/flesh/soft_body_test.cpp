@@ -1,7 +1,6 @@
 #include "loosefit/flesh/soft_body.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include "loosefit/body/named_postures.h"
 #include "loosefit/geometry/exact_intersection.h"
 #include "support/body_fixture.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::flesh {
 namespace {
@@ -132,9 +132,8 @@ TEST(SoftBody, PosturesOutOfRangeAreRefused) {
 }
 
 TEST(SoftBody, TheDiskCacheChangesNoBit) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("loosefit-flesh-" + std::to_string(getpid()));
-  setenv("LOOSEFIT_CACHE", folder.c_str(), 1);
+  const support::ScratchFolder folder;
+  setenv("LOOSEFIT_CACHE", folder.path().c_str(), 1);
   const std::vector<body::Posture> postures = {
       {radians(8), 0, 0}, {}, {radians(12), radians(10), 0}, body::kStanding};
   const auto surfaces = [&] {
@@ -150,7 +149,6 @@ TEST(SoftBody, TheDiskCacheChangesNoBit) {
   EXPECT_EQ(disk_cache::size().files, postures.size());
   const auto warm = surfaces();
   disk_cache::turn_on(false);
-  std::filesystem::remove_all(folder);
   unsetenv("LOOSEFIT_CACHE");
   EXPECT_EQ(cold, without);
   EXPECT_EQ(warm, without);

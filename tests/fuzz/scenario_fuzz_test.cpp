@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "loosefit/io/text_file.h"
 #include "support/mutate.h"
 #include "support/run_program.h"
+#include "support/scratch_folder.h"
 
 // Damaged scenarios: never a crash, never a hang, one error that says where.
 namespace loosefit {
@@ -91,8 +91,7 @@ TEST(ScenarioFuzz, ParserRefusesWithAPlaceOrAccepts) {
 
 TEST(ScenarioFuzz, ProgramEndsWithCodeTwoAndOneErrorLine) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::temp_directory_path() / ("loosefit-fuzz-" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const support::ScratchFolder folder;
   int tried = 0;
   for (unsigned seed = 100; tried < 25; ++seed) {
     const std::string text = Mutator(seed)(kValid);
@@ -107,7 +106,6 @@ TEST(ScenarioFuzz, ProgramEndsWithCodeTwoAndOneErrorLine) {
     EXPECT_EQ(run.output.find("error: ", 1), std::string::npos) << run.output;
     EXPECT_FALSE(fs::exists(folder / "out"));
   }
-  fs::remove_all(folder);
 }
 
 }  // namespace

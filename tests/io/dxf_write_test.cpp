@@ -1,7 +1,6 @@
 #include "loosefit/io/dxf/dxf_write.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -14,6 +13,7 @@
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pattern/outline.h"
 #include "support/run_program.h"
+#include "support/scratch_folder.h"
 #include "support/simple_patterns.h"
 
 namespace loosefit::io {
@@ -98,9 +98,7 @@ TEST(DxfWrite, NamesOfAnySortMakeNoOtherGroups) {
 /// An independent reader: python3-ezdxf, which the set-up installs.
 TEST(DxfWrite, EzdxfReadsTheSameOutlines) {
   const pattern::Pattern shirt = kinds::draft_shirt({});
-  const std::filesystem::path base =
-      std::filesystem::temp_directory_path() / ("loosefit-ezdxf-" + std::to_string(getpid()));
-  std::filesystem::create_directories(base);
+  const support::ScratchFolder base;
   write_dxf(base / "p.dxf", shirt);
   write_text_file((base / "read.py").string(), R"(
 import sys, ezdxf
@@ -117,7 +115,6 @@ for insert in doc.modelspace().query('INSERT'):
 )");
   const ProgramRun run = run_program("/usr/bin/python3 " + (base / "read.py").string() + " " +
                                      (base / "p.dxf").string());
-  std::filesystem::remove_all(base);
   ASSERT_EQ(run.exit_code, 0) << run.output;
   std::istringstream lines(run.output);
   std::string name;

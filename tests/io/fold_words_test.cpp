@@ -11,6 +11,7 @@
 #include "loosefit/io/read_pattern.h"
 #include "loosefit/io/svg/svg_read.h"
 #include "loosefit/pattern/hole.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -42,18 +43,13 @@ std::string half_skirt(double top, double flare, double length, const std::strin
 
 class FoldWords : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / "loosefit_fold_words";
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   PatternFile read(const std::string& text, const std::string& side = {}) const {
     std::filesystem::remove(folder_ / "skirt.seams.toml");
     std::ofstream(folder_ / "skirt.svg") << text;
     if (!side.empty()) std::ofstream(folder_ / "skirt.seams.toml") << side;
     return read_pattern(folder_ / "skirt.svg");
   }
-  std::filesystem::path folder_;
+  const support::ScratchFolder folder_;
 };
 
 TEST_F(FoldWords, HalvesWhoseFoldNoLineMarksAreSewnOnlyWhenSomebodyHasLooked) {
@@ -82,6 +78,29 @@ TEST_F(FoldWords, HalvesWhoseFoldNoLineMarksAreSewnOnlyWhenSomebodyHasLooked) {
     const PatternFile told =
         read(half_skirt(a, b, c, text, false), "confirmed = true\n[pieces]\nfront = \"front\"\n");
     EXPECT_FALSE(told.pattern.stitches.empty());
+  }
+}
+
+// A piece by itself is told what it lacks: a poncho where it is folded, a wrap what holds it.
+TEST_F(FoldWords, APieceByItselfIsToldWhyItIsNotPutOn) {
+  std::mt19937 draw(31);
+  std::uniform_real_distribution<double> side(700, 1400), radius(80, 150);
+  for (int i = 0; i < 6; ++i) {
+    const double w = side(draw), h = side(draw), r = radius(draw);
+    const bool neck = i % 2 == 0;
+    const std::string hole = neck ? fmt::format(" M{} {} a{} {} 0 1 0 {} 0 a{} {} 0 1 0 {} 0 Z",
+                                                w / 2 - r, h / 2, r, r, 2 * r, r, r, -2 * r)
+                                  : "";
+    const PatternFile file = read(
+        fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" "
+                    "viewBox=\"-50 -50 {0} {1}\"><g id=\"{2}\"><path fill-rule=\"evenodd\" "
+                    "d=\"M0 0 H{3} V{4} H0 Z{5}\"/></g></svg>",
+                    w + 100, h + 100, neck ? "poncho" : "wrap", w, h, hole));
+    EXPECT_FALSE(file.placed);
+    EXPECT_NE(file.not_placed.find(neck ? "folded over the shoulders" : "wrapped, tied"),
+              std::string::npos)
+        << file.not_placed;
+    EXPECT_NE(file.not_placed_hint.find(neck ? "front and back" : "as a tube"), std::string::npos);
   }
 }
 

@@ -1,7 +1,6 @@
 #include "loosefit/io/glb_write.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -55,9 +55,8 @@ struct Glb {
 
 class GlbFile : public ::testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-  std::filesystem::path path_ = std::filesystem::path(::testing::TempDir()) /
-                                ("surface-" + std::to_string(getpid()) + ".glb");
+  const support::ScratchFolder scratch_;
+  const std::filesystem::path path_ = scratch_ / "surface.glb";
   GlbSurface surface_{.name = "cloth \"a\"",
                       .positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 2}, {0, -0.5, 2}},
                       .triangles = {{0, 1, 2}, {0, 2, 3}},

@@ -1,7 +1,6 @@
 #include "loosefit/io/material_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/io/toml_file.h"
+#include "support/scratch_folder.h"
 #include "support/wool_sample.h"
 
 namespace loosefit::io {
@@ -227,11 +227,9 @@ TEST(Kes, NoElongationAndLoadTogetherLeaveTheRangeOfStiffness) {
 }
 
 scenario::MaterialCard own_card(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("loosefit-card-" + std::to_string(::getpid()) + ".toml");
+  const support::ScratchFolder scratch;
+  const auto path = scratch / "card.toml";
   std::ofstream(path) << text;
-  const std::unique_ptr<const std::filesystem::path, void (*)(const std::filesystem::path*)> guard(
-      &path, [](const std::filesystem::path* p) { std::filesystem::remove(*p); });
   return read_material_file(path);
 }
 

@@ -1,13 +1,13 @@
 #include "loosefit/io/measures_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/registry.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -18,7 +18,6 @@ kinds::NamedValues read_shirt_measures(const std::filesystem::path& path) {
 
 class MeasuresFile : public testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
   std::string error_of(const std::string& text) {
     write_text_file(path_.string(), text);
     try {
@@ -28,8 +27,8 @@ class MeasuresFile : public testing::Test {
     }
     return "accepted";
   }
-  std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) /
-                                ("loosefit_measures_" + std::to_string(getpid()) + ".json");
+  const support::ScratchFolder scratch_;
+  const std::filesystem::path path_ = scratch_ / "measures.json";
 };
 
 const std::string kPlain =

@@ -15,20 +15,13 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/mesh_obj.h"
 #include "support/mesh_bytes.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
 
 class MeshFileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("loosefit_mesh_" +
-               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string put(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
@@ -46,7 +39,7 @@ class MeshFileTest : public ::testing::Test {
     ADD_FAILURE() << name << " was accepted: " << bytes.substr(0, 60);
     return "";
   }
-  std::filesystem::path folder_;
+  const support::ScratchFolder folder_;
 };
 
 geometry::TriangleMesh tetrahedron() {

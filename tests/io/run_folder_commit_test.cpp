@@ -9,6 +9,7 @@
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/text_file.h"
 #include "support/fault_plan.h"
+#include "support/scratch_folder.h"
 
 // What happens to an output while its files are being replaced.
 namespace loosefit::io {
@@ -18,18 +19,12 @@ namespace {
 using Files = std::map<std::string, std::string>;
 
 struct RunFolderCommit : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-commit-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder base;
   void SetUp() override { start(); }
-  void TearDown() override {
-    faults::plan = {};
-    fs::remove_all(base);
-  }
+  void TearDown() override { faults::plan = {}; }
   void start() const {
     faults::plan = {};
-    fs::remove_all(base);
-    fs::create_directories(base);
+    base.clear();
     base_run({{"summary.json", "old"}, {"maps/old.png", "old"}, {"report.html", "old"}}).commit();
   }
   RunFolder base_run(const Files& files) const {

@@ -11,6 +11,7 @@
 #include "loosefit/io/run_folder.h"
 #include "loosefit/io/text_file.h"
 #include "support/file_faults.h"
+#include "support/scratch_folder.h"
 
 // Random folders with and without our files, then a write that goes through, is given up, refused,
 // meets a full or failing disk, or is killed at any of its changes to the file system: nothing
@@ -370,16 +371,14 @@ void run_case(unsigned seed, const fs::path& base, Counts& counts) {
 
 TEST(RunFolderFuzz, NothingForeignChangesAndOursAreAllOldOrAllNew) {
   const fs::path memory = "/dev/shm";  // where there is one: thousands of folders wear no disk
-  const fs::path base = (access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path()) /
-                        ("loosefit-folder-fuzz-" + std::to_string(getpid()));
+  const support::ScratchFolder base(access(memory.c_str(), W_OK) == 0 ? memory
+                                                                      : fs::temp_directory_path());
   Counts counts;
   for (unsigned seed = 0; seed < 1500 && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    fs::remove_all(base);
-    fs::create_directories(base);
+    base.clear();
     run_case(seed, base, counts);
   }
-  fs::remove_all(base);
   std::printf("committed %d, refused %d, failed %d, killed %d (%d half-way)\n", counts.committed,
               counts.refused, counts.failed, counts.killed, counts.half);
   EXPECT_GT(counts.committed, 300);

@@ -11,6 +11,7 @@
 #include "loosefit/base/sha256.h"
 #include "loosefit/io/replace_files.h"
 #include "loosefit/io/text_file.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace fs = std::filesystem;
@@ -18,14 +19,7 @@ namespace {
 
 /// A fresh folder per test, removed at the end.
 struct RunFolderTest : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override {
-    fs::remove_all(base);
-    fs::create_directories(base);
-  }
-  void TearDown() override { fs::remove_all(base); }
+  const support::ScratchFolder base;
   void write(const std::string& name, const std::string& content) const {
     fs::create_directories((base / name).parent_path());
     write_text_file((base / name).string(), content);
@@ -324,7 +318,7 @@ TEST_F(RunFolderTest, ARunThatAnotherOneWasQuickerThanGoesBesideIt) {
         write_text_file(one.path() / "result", what);
         return one;
       };
-      fs::remove_all(base);
+      base.clear();
       if (into_earlier) write_one("old").commit();
       RunFolder slow = write_one("slow");
       write_one("quick").commit();

@@ -7,6 +7,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/scenario_writer.h"
 #include "support/refused_scenario.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -73,7 +74,8 @@ TEST(ScenarioWear, ADrawnFirstDonningAsksForNoRepeats) {
 }
 
 TEST(ScenarioWear, AScanKeepsItsPostureUnlessOneIsAskedFor) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "scan-posture.obj";
+  const support::ScratchFolder scratch;
+  const auto file = scratch / "scan-posture.obj";
   std::ofstream(file) << "v 0 0 0\n";
   const std::string body = "[body]\nfile = \"" + file.string() + "\"\n";
   EXPECT_TRUE(parse_scenario(body, "case.toml").body.as_scanned);

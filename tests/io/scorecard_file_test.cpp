@@ -13,6 +13,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/placement/derived_metrics.h"
 #include "support/mutate.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -135,10 +136,11 @@ TEST(Scorecards, LimitsAreTheDocumentedOnes) {
 }
 
 TEST(Scorecards, ReadByPathToo) {
-  const auto path = std::filesystem::temp_directory_path() / "loosefit_my_card.toml";
+  const support::ScratchFolder scratch;
+  const auto path = scratch / "my_card.toml";
   write_text_file(path.string(), kHead + criterion("gap_mm", "mm", "good = 0.1\nfail = 1"));
   const placement::Scorecard card = load_scorecard(path.string());
-  EXPECT_EQ(card.name, "loosefit_my_card");
+  EXPECT_EQ(card.name, "my_card");
   EXPECT_DOUBLE_EQ(card.criteria.at(0).limit.fail, 1);
   std::filesystem::remove(path);
   EXPECT_THROW(load_scorecard(path.string()), IoError);

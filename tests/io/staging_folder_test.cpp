@@ -1,9 +1,9 @@
 #include "loosefit/io/staging_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "loosefit/io/text_file.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace fs = std::filesystem;
@@ -11,15 +11,9 @@ namespace {
 
 /// Hidden folders of a process that is long gone: no process has this number.
 struct LeftOvers : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-left-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder base;
   fs::path hidden = base / ".out.writing-99999999";
-  void SetUp() override {
-    fs::remove_all(base);
-    fs::create_directories(hidden);
-  }
-  void TearDown() override { fs::remove_all(base); }
+  void SetUp() override { fs::create_directories(hidden); }
 };
 
 TEST_F(LeftOvers, OfAProcessThatHadHardlyBegunGo) {

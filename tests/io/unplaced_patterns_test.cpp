@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include "loosefit/io/read_pattern.h"
 #include "loosefit/io/seams_file.h"
 #include "loosefit/io/text_file.h"
+#include "support/scratch_folder.h"
 #include "support/side_file.h"
 
 // Files that do not say where their pieces go, or what these are.
@@ -23,9 +23,7 @@ const std::string kShared = LOOSEFIT_SOURCE_DIR "/../shared/garments/";
 
 class UnplacedPatterns : public testing::Test {
  protected:
-  fs::path base_ = fs::temp_directory_path() / ("loosefit-unplaced-" + std::to_string(getpid()));
-  void SetUp() override { fs::create_directories(base_); }
-  void TearDown() override { fs::remove_all(base_); }
+  const support::ScratchFolder base_;
   fs::path file(const std::string& name, const std::string& text) const {
     write_text_file((base_ / name).string(), text);
     return base_ / name;

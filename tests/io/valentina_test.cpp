@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
 #include "support/dxf_text.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -19,17 +20,12 @@ namespace fs = std::filesystem;
 class Valentina : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     if (const char* path = std::getenv("PATH")) path_ = path;
     setenv("PATH", (folder_.string() + ":/bin").c_str(), 1);
     write_text_file((folder_ / "skirt.val").string(), "<pattern/>");
     write_text_file((folder_ / "made.dxf").string(), gerber_like_dxf());
   }
-  void TearDown() override {
-    setenv("PATH", path_.c_str(), 1);
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { setenv("PATH", path_.c_str(), 1); }
   void install(const std::string& script) const {
     const fs::path program = folder_ / "valentina";
     write_text_file(program.string(), "#!/bin/sh\n" + script);
@@ -43,9 +39,7 @@ class Valentina : public ::testing::Test {
     }
     return {};
   }
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      (std::string("valentina-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder folder_;
   std::string path_;
 };
 

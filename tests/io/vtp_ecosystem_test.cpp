@@ -15,13 +15,15 @@
 
 #include "loosefit/io/pvd_write.h"
 #include "loosefit/io/vtp_write.h"
+#include "support/scratch_folder.h"
 #include "support/tube_garment.h"
 
 namespace loosefit::io {
 namespace {
 
 TEST(VtpForOthers, VtkReadsNamedArraysAndTheirUnits) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "others.vtp";
+  const support::ScratchFolder scratch;
+  const std::filesystem::path file = scratch / "others.vtp";
   const garment::Garment tube = testing::tube_garment(0.7, 0.3, 24, 6);
   const drape::Drape drape = testing::settled_drape(
       tube, [](const Vec2& uv) { return Vec3(uv.x(), 0.1 * uv.y(), 1 + uv.y()); });
@@ -61,7 +63,8 @@ TEST(VtpForOthers, VtkReadsNamedArraysAndTheirUnits) {
 }
 
 TEST(PvdForOthers, VtkReadsTheSeriesWhateverItsNames) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "states.pvd";
+  const support::ScratchFolder scratch;
+  const std::filesystem::path file = scratch / "states.pvd";
   write_pvd(file, {{"drape.vtp", 0, "reference"}, {"postures/a & \"b\"/drape.vtp", 1.5, "<bent>"}});
   vtkNew<vtkXMLDataParser> parser;
   parser->SetFileName(file.c_str());

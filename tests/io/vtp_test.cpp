@@ -7,6 +7,7 @@
 #include "loosefit/io/vtp_read.h"
 #include "loosefit/io/vtp_seal.h"
 #include "loosefit/io/vtp_write.h"
+#include "support/scratch_folder.h"
 #include "support/tube_garment.h"
 
 namespace loosefit::io {
@@ -15,10 +16,6 @@ namespace {
 class Vtp : public ::testing::Test {
  protected:
   void SetUp() override {
-    dir_ = std::filesystem::path(::testing::TempDir()) /
-           ("vtp_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(dir_);
-    std::filesystem::create_directories(dir_);
     garment_ = testing::tube_garment(0.7, 0.3, 24, 6);
     drape_ = testing::settled_drape(garment_, [](const Vec2& uv) {
       return Vec3(std::cos(9 * uv.x()) / 9, std::sin(9 * uv.x()) / 9, 1 + uv.y() / 3);
@@ -32,7 +29,7 @@ class Vtp : public ::testing::Test {
     std::ifstream f(p, std::ios::binary);
     return {std::istreambuf_iterator<char>(f), {}};
   }
-  std::filesystem::path dir_;
+  const support::ScratchFolder dir_;
   garment::Garment garment_;
   drape::Drape drape_;
   maps::PerformanceMap map_;

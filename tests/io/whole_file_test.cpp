@@ -1,10 +1,10 @@
 #include "loosefit/io/whole_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::io {
 namespace {
@@ -12,12 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct WholeFile : ::testing::Test {
-  fs::path folder = fs::path(::testing::TempDir()) / ("whole-file-" + std::to_string(getpid()));
-  void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
+  const support::ScratchFolder folder;
   std::size_t entries() const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));

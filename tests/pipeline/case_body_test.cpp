@@ -12,6 +12,7 @@
 #include "loosefit/io/scenario.h"
 #include "loosefit/pipeline/case_pattern.h"
 #include "loosefit/pipeline/simulation_options.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -58,14 +59,20 @@ TEST(MakeBody, FleshThatHangingArmsPressIsThereAgainInTheScansMeasures) {
     EXPECT_NEAR(found->body.measured.at(girth), standing->measured.at(girth), 0.010) << girth;
 }
 
-/// The scan of a person in a posture, metres, z up, so far from the origin.
-scenario::ScenarioBody scan_of(const body::Posture& posture, const char* name,
-                               const Vec3& place = Vec3::Zero()) {
+struct MakeBodyOfScan : ::testing::Test {
+  const support::ScratchFolder folder;
+  /// The scan of a person in a posture, metres, z up, so far from the origin.
+  scenario::ScenarioBody scan_of(const body::Posture& posture,
+                                 const Vec3& place = Vec3::Zero()) const;
+};
+
+scenario::ScenarioBody MakeBodyOfScan::scan_of(const body::Posture& posture,
+                                               const Vec3& place) const {
   const body::BodyModel model = body::BodyModel::load();
   body::BodySpec spec;
   spec.sex = 0, spec.age = 30, spec.height = 1.68;
   const body::Body person = model.build(body::fit_body(model, spec).parameters, posture);
-  const auto file = std::filesystem::path(::testing::TempDir()) / name;
+  const auto file = folder / "scan.obj";
   std::ofstream out(file);
   for (const Vec3& p : person.surface.vertices) out << "v " << (p + place).transpose() << '\n';
   for (const Triangle& t : person.surface.triangles)
@@ -81,25 +88,25 @@ bool warned(const CaseBody& body, const std::string& words) {
   });
 }
 
-TEST(MakeBody, AScanWithOpenArmsStaysAsItIs) {
-  const CaseBody made = make_body(scan_of(body::kArmsApart, "apart.obj"));
+TEST_F(MakeBodyOfScan, WithOpenArmsStaysAsItIs) {
+  const CaseBody made = make_body(scan_of(body::kArmsApart));
   EXPECT_FALSE(made.person);
   EXPECT_NEAR(arm_angle(made.body), 40, 2);
   EXPECT_EQ(made.path(0).body().surface.vertices, made.body->surface.vertices);
   EXPECT_TRUE(warned(made, "the body model lies on the scan"));
 }
 
-TEST(MakeBody, AScanWithHangingArmsIsDressedWithThemApart) {
-  const CaseBody made = make_body(scan_of(body::kStanding, "hanging.obj"));
+TEST_F(MakeBodyOfScan, WithHangingArmsIsDressedWithThemApart) {
+  const CaseBody made = make_body(scan_of(body::kStanding));
   ASSERT_TRUE(made.person);
   EXPECT_NEAR(arm_angle(made.body), 8, 4);
   EXPECT_NEAR(arm_angle(made.path(0)), 40, 2);
   EXPECT_TRUE(warned(made, "posed by a fitted skeleton"));
 }
 
-TEST(MakeBody, AScanTakesThePostureThatIsAskedFor) {
+TEST_F(MakeBodyOfScan, TakesThePostureThatIsAskedFor) {
   const Vec3 place(0.8, -0.5, 0.2);
-  scenario::ScenarioBody wished = scan_of(body::kArmsApart, "asked.obj", place);
+  scenario::ScenarioBody wished = scan_of(body::kArmsApart, place);
   wished.as_scanned = false;
   wished.posture = body::kStanding;
   const CaseBody made = make_body(wished);
@@ -109,10 +116,10 @@ TEST(MakeBody, AScanTakesThePostureThatIsAskedFor) {
   EXPECT_LT((made.body->from_world * place).norm(), 0.1);
 }
 
-TEST(MakeBody, APostureNeedsAPersonInTheScan) {
+TEST_F(MakeBodyOfScan, MustShowAPersonForAPosture) {
   scenario::ScenarioBody wished;
   wished.as_scanned = false;
-  wished.file = (std::filesystem::path(::testing::TempDir()) / "tube.obj").string();
+  wished.file = (folder / "tube.obj").string();
   std::ofstream(wished.file) << "v 0 0 0\nv 0.3 0 0\nv 0 0.3 0\nv 0 0 1.7\n"
                                 "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   EXPECT_THROW(make_body(wished), Error);

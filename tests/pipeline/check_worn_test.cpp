@@ -19,6 +19,7 @@
 #include "loosefit/pipeline/load_case.h"
 #include "loosefit/pipeline/map_case.h"
 #include "loosefit/pipeline/run_case.h"
+#include "support/scratch_folder.h"
 #include "support/trunk_tubes.h"
 
 namespace loosefit::pipeline {
@@ -28,11 +29,6 @@ namespace fs = std::filesystem;
 
 class CheckWorn : public ::testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   /// A tube round the trunk of a woman, cut by support::tube_file, as the whole pipeline sees it.
   CaseResult tube(double top, double bottom, double height, double above_floor,
                   const std::string& more = "", bool allow = false) const {
@@ -55,9 +51,7 @@ class CheckWorn : public ::testing::Test {
     write_case_files(folder_, result);
     write_summary_file(folder_, result);
   }
-  fs::path folder_ = fs::path(::testing::TempDir()) /
-                     (std::string("check-worn-") +
-                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder folder_;
 };
 
 TEST_F(CheckWorn, ASkirtWithASnugWaistIsWorn) {

@@ -6,6 +6,7 @@
 
 #include "loosefit/geometry/flat_triangle.h"
 #include "support/only_draped.h"
+#include "support/scratch_folder.h"
 #include "support/trunk_tubes.h"
 
 namespace loosefit::pipeline {
@@ -44,14 +45,14 @@ TEST(ElasticWorn, AHemWithElasticIsGathered) {
 // A ring of tape in tension T that lies on a convex body presses on it with 2π T in all, whatever
 // the shape: the curve turns by 2π once round. What the cloth under it carried would be missing.
 TEST(ElasticWorn, AWaistPressesWithTheTensionOfItsTape) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "elastic_waist.json";
+  const support::ScratchFolder scratch;
+  const auto file = scratch / "elastic_waist.json";
   std::ofstream(file) << support::tube_file(46, 48, 18, 96);
   const double ratio = 0.6, stiffness = 50;
   const CaseResult result = support::only_draped(
       "[garment]\npattern = \"" + file.string() +
       "\"\n[[garment.elastic]]\nedges = [\"front.edge_2\", \"back.edge_2\"]\nratio = 0.6\n"
       "stiffness = 50\n[simulation]\nedge_length = 0.02\n[donning]\nmovements = []\n");
-  std::filesystem::remove(file);
   const garment::Garment& g = result.studied().mesh();
   const drape::Drape& drape = result.studied().drape;
   double tension = 0, weight = 0;

@@ -14,6 +14,7 @@
 #include "loosefit/pipeline/load_case.h"
 #include "loosefit/pipeline/run_case.h"
 #include "loosefit/pipeline/summary.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -38,11 +39,6 @@ nlohmann::json settle_section(const CaseResult& result) {
 
 class RepeatDrapes : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   void store(const CaseResult& result) const {
     write_case_files(folder_, result);
     write_summary_file(folder_, result);
@@ -58,9 +54,7 @@ class RepeatDrapes : public ::testing::Test {
     text.replace(text.find(from), from.size(), to);
     io::write_text_file((folder_ / file).string(), text);
   }
-  std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("repeats-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder folder_;
 };
 
 TEST_F(RepeatDrapes, SameSpreadSideBySideAsOneByOneAndAfterReadingTheRunAgain) {

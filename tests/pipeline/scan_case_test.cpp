@@ -7,6 +7,7 @@
 #include "loosefit/body/body_model.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/pipeline/run_case.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -17,7 +18,8 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
   body::BodySpec spec;
   spec.sex = 0, spec.age = 30, spec.height = 1.68;
   const body::Body known = model.build(body::fit_body(model, spec).parameters, {radians(30), 0, 0});
-  const auto file = std::filesystem::path(::testing::TempDir()) / "person.obj";
+  const support::ScratchFolder scratch;
+  const auto file = scratch / "person.obj";
   {
     std::ofstream out(file);
     for (const Vec3& p : known.surface.vertices)
@@ -35,7 +37,6 @@ TEST(ScanCase, AScanIsDressedAndSettles) {
   EXPECT_FALSE(result.sites.empty());
   EXPECT_NEAR(result.studied().pattern.fit.at("chest"), scenario.studied().spec.fit.at("chest"),
               1e-3);
-  std::filesystem::remove(file);
 }
 
 }  // namespace

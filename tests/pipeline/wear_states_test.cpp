@@ -20,6 +20,7 @@
 #include "loosefit/pipeline/rank_case.h"
 #include "loosefit/pipeline/simulation_options.h"
 #include "loosefit/pipeline/summary.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -177,9 +178,7 @@ TEST(WearStates, RankingTellsTheErrorOverPosturesPerDonning) {
 
 TEST(WearStates, AStoredRunRanksAlike) {
   const CaseResult& result = worn_case();
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "worn-states";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const support::ScratchFolder folder;
   write_case_files(folder, result);
   write_summary_file(folder, result);
   Progress silent;
@@ -208,7 +207,6 @@ TEST(WearStates, AStoredRunRanksAlike) {
   const CaseResult poorer = load_case(folder, silent);
   EXPECT_FALSE(poorer.wear.states[0].counts());
   EXPECT_EQ(state_warnings(poorer).size(), 1u);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(WearStates, WhatOnlyTheRunCouldTellIsKeptWhenItIsReadAgain) {
@@ -235,14 +233,11 @@ TEST(WearStates, WhatOnlyTheRunCouldTellIsKeptWhenItIsReadAgain) {
   result.wear.warnings = {"put on in another way"};
   result.studied().drape.report.coarsened_field = 0.012;
   result.warnings = case_warnings(result);
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "told-once";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const support::ScratchFolder folder;
   write_case_files(folder, result);
   write_summary_file(folder, result);
   Progress silent;
   CaseResult again = load_case(folder, silent);
-  std::filesystem::remove_all(folder);
   again.take_maps(map_case(again, false));
   again.warnings = case_warnings(again);
   EXPECT_EQ(again.warnings, result.warnings);

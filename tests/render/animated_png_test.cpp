@@ -8,6 +8,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/render/figure.h"
 #include "support/png_pixels.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::render {
 namespace {
@@ -66,7 +67,8 @@ TEST(AnimatedPng, HasAllFramesInOneSequence) {
 }
 
 TEST(AnimatedPng, ShowsItsFirstFrameToReadersThatDoNotKnowIt) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "animated.png";
+  const support::ScratchFolder scratch;
+  const auto path = scratch / "animated.png";
   std::ofstream(path, std::ios::binary) << animated_png({frame({9, 8, 7}), frame({0, 255, 0})}, 40);
   const Image image = testing::png_pixels(path);
   EXPECT_EQ(image.at(image.width / 2, image.height / 2), (Rgb{9, 8, 7}));

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +22,8 @@ const fs::path kStored = fs::path(LOOSEFIT_SOURCE_DIR) / "tests/data/pictures";
 void expect_like_stored(const Image& image, const std::string& name) {
   const fs::path stored = kStored / (name + ".png");
   if (std::getenv("LOOSEFIT_STORE_PICTURES")) write_png(stored, image);
-  const fs::path seen = fs::path(::testing::TempDir()) / ("seen-" + name + ".png");
+  const fs::path seen =  // left for a look where they differ
+      fs::path(::testing::TempDir()) / ("seen-" + name + "-" + std::to_string(getpid()) + ".png");
   write_png(seen, image);
   const Image wanted = testing::png_pixels(stored);
   ASSERT_EQ(image.width, wanted.width) << seen;
@@ -38,6 +40,7 @@ void expect_like_stored(const Image& image, const std::string& name) {
   const auto count = static_cast<double>(image.pixels.size());
   EXPECT_LT(sum / count, 2) << "mean difference of 255; compare " << seen << " with " << stored;
   EXPECT_LT(far / count, 0.01) << "share of pixels; compare " << seen << " with " << stored;
+  if (!::testing::Test::HasFailure()) fs::remove(seen);
 }
 
 class StoredPictures : public ::testing::Test {

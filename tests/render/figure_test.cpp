@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/render/colour_table.h"
 #include "support/png_pixels.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::render {
 namespace {
@@ -21,9 +22,8 @@ class FigureOfPanels : public ::testing::Test {
         {{"distance_mm", "Body-garment distance", "mm", 0, 40, "distance"}, false, true});
   }
   Image drawn() const {
-    const std::filesystem::path file =
-        std::filesystem::path(::testing::TempDir()) /
-        (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".png");
+    const support::ScratchFolder scratch;
+    const std::filesystem::path file = scratch / "figure.png";
     std::ofstream(file, std::ios::binary) << figure_file(figure_, FigureFormat::png);
     return testing::png_pixels(file);
   }

@@ -12,6 +12,7 @@
 #include "loosefit/render/mannequin.h"
 #include "loosefit/render/scene.h"
 #include "loosefit/render/screen.h"
+#include "support/scratch_folder.h"
 #include "support/tube_garment.h"
 
 namespace loosefit::render {
@@ -24,11 +25,6 @@ class Pictures : public ::testing::Test {
   static void SetUpTestSuite() { screen_ = new Screen; }
   static void TearDownTestSuite() { delete screen_; }
   void SetUp() override {
-    dir_ = std::filesystem::path(::testing::TempDir()) /
-           ("pictures_" +
-            std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(dir_);
-    std::filesystem::create_directories(dir_);
     garment_ = testing::tube_garment(2 * kPi * kTube, 0.5, 120, 40);
     positions_ = testing::settled_drape(garment_, [](const Vec2& uv) {
                    const double a = uv.x() / kTube;
@@ -51,7 +47,7 @@ class Pictures : public ::testing::Test {
   std::vector<Vec3> positions_;
   maps::PerformanceMap map_;
   PictureOptions options_;
-  std::filesystem::path dir_;
+  const support::ScratchFolder dir_;
 };
 Screen* Pictures::screen_ = nullptr;
 

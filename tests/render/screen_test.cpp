@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "loosefit/render/x_server.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::render {
 namespace {
@@ -103,8 +104,8 @@ TEST(Screen, IsTheGivenOneWhereItAnswersAndTakesTheKey) {
     const Screen screen;
     EXPECT_EQ(screen.str().rfind("own screen :", 0), 0u) << screen.str();
   }
-  const std::string file =
-      (std::filesystem::path(::testing::TempDir()) / ("key-" + std::to_string(getpid()))).string();
+  const support::ScratchFolder scratch;
+  const std::string file = (scratch / "key").string();
   std::ofstream(file, std::ios::binary)
       << std::string("\xff\xff\0\0\0\0\0\x12MIT-MAGIC-COOKIE-1\0\x10", 28) + server.cookie();
   {
@@ -112,7 +113,6 @@ TEST(Screen, IsTheGivenOneWhereItAnswersAndTakesTheKey) {
     const Screen screen;
     EXPECT_EQ(screen.str(), "display " + server.name());
   }
-  std::filesystem::remove(file);
 }
 
 TEST(Screen, IsMissedInWordsWhereThereIsNoXvfbEither) {
@@ -132,12 +132,10 @@ TEST(Screen, IsMissedInWordsWhereThereIsNoXvfbEither) {
 }
 
 TEST(Screen, AnXvfbThatDoesNotStartIsSaidAndWaitedForNoLonger) {
-  const std::filesystem::path dir =
-      std::filesystem::path(::testing::TempDir()) / ("xvfb-" + std::to_string(getpid()));
-  std::filesystem::create_directories(dir);
+  const support::ScratchFolder dir;
   std::filesystem::create_symlink("/bin/false", dir / "Xvfb");
   {
-    const Variable path("PATH", dir.c_str());
+    const Variable path("PATH", dir.path().c_str());
     const Variable none("DISPLAY", nullptr);
     EXPECT_THROW(
         try { Screen(); } catch (const NoScreen& error) {
@@ -146,7 +144,6 @@ TEST(Screen, AnXvfbThatDoesNotStartIsSaidAndWaitedForNoLonger) {
         },
         NoScreen);
   }
-  std::filesystem::remove_all(dir);
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "loosefit/report/case_figure.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
+
+#include <optional>
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/report/run_into_folder.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::report {
 namespace {
@@ -16,17 +18,14 @@ namespace fs = std::filesystem;
 class CaseFigure : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ =
-        fs::path(::testing::TempDir()) / ("case-figure-" + std::to_string(getpid())) / "slim shirt";
-    fs::remove_all(folder_.parent_path());
-    fs::create_directories(folder_.parent_path());
+    folder_ = scratch_.emplace() / "slim shirt";
     Progress silent;
     run_into_folder(io::parse_scenario("[output]\npreset_sites = false\nmaps = [\"distance\"]\n"
                                        "[simulation]\nedge_length = 0.05\ntime_budget = 0.1\n",
                                        "case.toml"),
                     folder_, {.allow_unsettled = true}, false, silent);
   }
-  static void TearDownTestSuite() { fs::remove_all(folder_.parent_path()); }
+  static void TearDownTestSuite() { scratch_.reset(); }
   FigureWish wish() const {
     FigureWish wish;
     wish.folders = {folder_};
@@ -42,9 +41,11 @@ class CaseFigure : public ::testing::Test {
     return found;
   }
   using Words = std::vector<std::string>;
+  static std::optional<support::ScratchFolder> scratch_;
   static fs::path folder_;
   Progress silent_;
 };
+std::optional<support::ScratchFolder> CaseFigure::scratch_;
 fs::path CaseFigure::folder_;
 
 TEST_F(CaseFigure, ShowsTheMapsOfTheRunWhenNothingIsSaid) {

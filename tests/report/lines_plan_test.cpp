@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -9,6 +8,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/report/run_into_folder.h"
 #include "loosefit/report/write_lines.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::report {
 namespace {
@@ -32,9 +32,7 @@ double length_of(const std::string& svg, const std::string& name) {
 }
 
 TEST(LinesPlan, ShowsEveryLineAtItsLength) {
-  const fs::path folder =
-      fs::path(::testing::TempDir()) / ("lines-plan-" + std::to_string(getpid()));
-  fs::remove_all(folder);
+  const support::ScratchFolder folder;
   Progress silent;
   // A shirt as it is put on, without time to settle.
   run_into_folder(io::parse_scenario(
@@ -76,7 +74,6 @@ TEST(LinesPlan, ShowsEveryLineAtItsLength) {
   EXPECT_NE(sites.find(",line,"), std::string::npos);
   EXPECT_LE(line["routes"][0]["mean_strain"].get<double>(),
             line["shortest"]["mean_strain"].get<double>() + 0.01);
-  fs::remove_all(folder);
 }
 
 }  // namespace

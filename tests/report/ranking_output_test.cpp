@@ -10,6 +10,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/report/sewing_plan.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::report {
 namespace {
@@ -124,8 +125,7 @@ TEST(RankingJson, HoldsEverySample) {
 }
 
 TEST(RankingFiles, AreWrittenOrRefused) {
-  const auto folder = std::filesystem::temp_directory_path() / "loosefit_ranking_output_test";
-  std::filesystem::create_directories(folder);
+  const support::ScratchFolder folder;
   const pattern::Pattern shirt = kinds::draft_shirt({});
   write_ranking(folder, table(), shirt);
   const auto read = [&](const char* file) {
@@ -135,8 +135,7 @@ TEST(RankingFiles, AreWrittenOrRefused) {
   EXPECT_EQ(read("ranking-plain.json"), ranking_json(table()));
   EXPECT_EQ(read("sewing-plan-plain.svg"), sewing_plan_svg(table(), shirt));
   EXPECT_NE(read("sewing-plan-plain.dxf").find("low, \"left\""), std::string::npos);
-  std::filesystem::remove_all(folder);
-  EXPECT_THROW(write_ranking(folder, table(), shirt), IoError);
+  EXPECT_THROW(write_ranking(folder / "none", table(), shirt), IoError);
 }
 
 TEST(RankingText, WhereNothingPassesOneSentenceSaysSo) {

@@ -11,6 +11,7 @@
 #include "loosefit/report/page_viewer.h"
 #include "loosefit/report/sections.h"
 #include "loosefit/report/write_report.h"
+#include "support/scratch_folder.h"
 #include "support/tube_garment.h"
 
 namespace loosefit::report {
@@ -19,11 +20,6 @@ namespace {
 class Report : public ::testing::Test {
  protected:
   void SetUp() override {
-    dir_ =
-        std::filesystem::path(::testing::TempDir()) /
-        ("report_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(dir_);
-    std::filesystem::create_directories(dir_);
     result_.scenario = io::default_scenario();
     body::Body body = testing::cylinder_body(0.12, 1.0, 100, 20);
     body.measured = {{"chest", 0.754}, {"waist", 0.70}};
@@ -66,7 +62,7 @@ class Report : public ::testing::Test {
     return n;
   }
   pipeline::CaseResult result_;
-  std::filesystem::path dir_;
+  const support::ScratchFolder dir_;
 };
 
 TEST_F(Report, LeadsWithYarnStrainAndShearAndSaysWhatPrincipalStrainIs) {

@@ -8,6 +8,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/report/rank_runs.h"
 #include "loosefit/report/write_output.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::report {
 namespace {
@@ -16,15 +17,12 @@ namespace fs = std::filesystem;
 
 class RunIntoFolder : public ::testing::Test {
  protected:
-  void SetUp() override { fs::remove_all(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
   bool has(const std::string& file) const { return fs::exists(folder_ / file); }
   std::string text(const char* file) const {
     return io::read_text_file((folder_ / file).string(), 50000000);
   }
-  fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      (std::string("run-into-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_ / "run";
   Progress silent_;
   // A shirt as it is put on, without time to settle.
   scenario::Scenario scenario_ = io::parse_scenario(

@@ -7,6 +7,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/io/text_file.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::study {
 namespace {
@@ -15,14 +16,11 @@ namespace fs = std::filesystem;
 
 class ComparisonFiles : public ::testing::Test {
  protected:
-  ComparisonFiles() { fs::create_directories(folder); }
-  ~ComparisonFiles() override { fs::remove_all(folder); }
   int files() const {
     return static_cast<int>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
-  const fs::path folder =
-      fs::path(::testing::TempDir()) / ("comparison-files-" + std::to_string(getpid()));
+  const support::ScratchFolder folder;
 };
 
 TEST_F(ComparisonFiles, AppearTogetherAndTakeTheirOwnPlacesAgain) {

@@ -90,8 +90,11 @@ class Study:
     def command(self):
         return [self.binary, "study", "run", str(self.file), "-o", str(self.folder), "--jobs", "2", "--json"]
 
-    def start(self, **options):
-        return subprocess.Popen(self.command(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+    def start(self):
+        # Whoever runs this in the background has had Ctrl-C ignored for it and its children.
+        heed = lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)
+        return subprocess.Popen(self.command(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                preexec_fn=heed)
 
     def run(self, **options):
         return subprocess.run(self.command(), capture_output=True, text=True, **options)

@@ -111,13 +111,14 @@ def main():
     parser.add_argument("--seed", type=int, default=21)
     options = parser.parse_args()
     rng = random.Random(options.seed)
+    binary = pathlib.Path(options.binary).resolve()
     failures, looked = [], 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         names = write_inputs(folder, rng)
 
         def loosefit(*arguments, good=(0, 1)):
-            run = subprocess.run([options.binary, *arguments], cwd=folder, capture_output=True, timeout=300)
+            run = subprocess.run([binary, *arguments], cwd=folder, capture_output=True, timeout=300)
             for stream in (run.stdout, run.stderr):
                 if turning(stream.decode()):
                     failures.append(f"{arguments}: says raw {turning(stream.decode())}")

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/draws.h"
 #include "loosefit/study/plan.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::study {
 namespace {
@@ -122,10 +122,8 @@ TEST(Anthropometry, OfImpossibleCorrelationsIsRefused) {
 }
 
 struct PeopleFile : ::testing::Test {
-  std::string path = (std::filesystem::temp_directory_path() /
-                      ("loosefit-people-" + std::to_string(getpid()) + ".csv"))
-                         .string();
-  void TearDown() override { std::filesystem::remove(path); }
+  const support::ScratchFolder scratch;
+  const std::string path = (scratch / "people.csv").string();
   std::vector<Person> read(const std::string& text) const {
     io::write_text_file(path, text);
     return read_people_csv(path);

@@ -1,7 +1,6 @@
 #include "loosefit/study/plan.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "loosefit/pipeline/wear_states.h"
 #include "loosefit/study/controls.h"
 #include "loosefit/study/run_study.h"
+#include "support/scratch_folder.h"
 
 namespace fs = std::filesystem;
 
@@ -251,8 +251,8 @@ TEST(Plan, TellsOfAxesThatChangeNothing) {
 }
 
 TEST(Plan, TellsOfPeopleWithoutSexOrAge) {
-  const fs::path file =
-      fs::path(::testing::TempDir()) / ("people-" + std::to_string(getpid()) + ".csv");
+  const support::ScratchFolder scratch;
+  const fs::path file = scratch / "people.csv";
   const auto told = [&](const std::string& people, const std::string& axis = "") {
     io::write_text_file(file.string(), people);
     return left_to_base(plan_of(kHead + "[[axis]]\nname = \"person\"\npeople = { file = \"" +
@@ -269,13 +269,10 @@ TEST(Plan, TellsOfPeopleWithoutSexOrAge) {
                 .size(),
             1u)
       << "another axis says it";
-  fs::remove(file);
 }
 
 TEST(Plan, AddressesKnowTheSeamsBesideAPattern) {
-  const fs::path folder =
-      fs::temp_directory_path() / ("loosefit-plan-seams-" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const support::ScratchFolder folder;
   io::write_text_file((folder / "top.dxf").string(), "pieces");
   const auto address = [&] {
     scenario::Scenario scenario =
@@ -285,7 +282,6 @@ TEST(Plan, AddressesKnowTheSeamsBesideAPattern) {
   const std::string without = address();
   io::write_text_file((folder / "top.seams.toml").string(), "confirmed = true\n");
   const std::string with = address();
-  fs::remove_all(folder);
   EXPECT_NE(with, without);
 }
 
@@ -341,8 +337,7 @@ TEST(Plan, ALatinHypercubeDrawsAnAxisForEachCaseToo) {
 
 // Lines and paths are those of the file in which they stand, whatever they are laid over.
 TEST(StudyFile, LaidOverABaseKeepsItsOwnPlaces) {
-  const fs::path folder =
-      fs::temp_directory_path() / ("loosefit-laid-over-" + std::to_string(getpid()));
+  const support::ScratchFolder folder;
   fs::create_directories(folder / "bases");
   io::write_text_file((folder / "bases/case.toml").string(), "\n\n[body]\nage = 30\n");
   const std::string file = (folder / "study.toml").string();
@@ -365,7 +360,6 @@ TEST(StudyFile, LaidOverABaseKeepsItsOwnPlaces) {
   EXPECT_NE(complaint(beside).find(file + ":4: garment.pattern"), std::string::npos);
   io::write_text_file((folder / "mine.json").string(), "{}");
   EXPECT_EQ(complaint(beside), "accepted") << "whoever runs it reads it";
-  fs::remove_all(folder);
 }
 
 TEST(StudyFile, ModalityOfTheBaseMayBeAFileBesideIt) {

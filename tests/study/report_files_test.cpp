@@ -1,12 +1,12 @@
 #include "loosefit/study/report_files.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/io/text_file.h"
 #include "loosefit/study/set_aside.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::study {
 namespace {
@@ -16,8 +16,6 @@ using Names = std::vector<std::string>;
 
 class ReportFiles : public ::testing::Test {
  protected:
-  ReportFiles() { fs::create_directories(folder); }
-  ~ReportFiles() override { fs::remove_all(folder); }
   std::string read(const std::string& name) const {
     return io::read_text_file((folder / name).string(), 10000);
   }
@@ -35,8 +33,7 @@ class ReportFiles : public ::testing::Test {
     return static_cast<int>(
         std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
   }
-  const fs::path folder =
-      fs::path(::testing::TempDir()) / ("report-files-" + std::to_string(getpid()));
+  const support::ScratchFolder folder;
   const std::string page = "study-report.html", document = "study-report.json";
 };
 

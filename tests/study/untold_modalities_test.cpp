@@ -1,11 +1,11 @@
 #include "loosefit/study/untold_modalities.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "loosefit/io/text_file.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::study {
 namespace {
@@ -44,7 +44,8 @@ TEST(UntoldModalities, AreThoseOfWhichNoCaseHasThePosturesOrDonnings) {
 // Each level of an axis of donnings is one donning: none compares two.
 TEST(UntoldModalities, OfDonningsNeedRepeatsInOneCase) {
   namespace fs = std::filesystem;
-  const fs::path card = fs::temp_directory_path() / ("again-" + std::to_string(getpid()) + ".toml");
+  const support::ScratchFolder scratch;
+  const fs::path card = scratch / "again.toml";
   io::write_text_file(card.string(),
                       "title = \"t\"\nabout = \"a\"\n[footprint]\nradius = 0.01\n[[criterion]]\n"
                       "metric = \"donning_coe_deg\"\nunit = \"deg\"\ngood = 2.0\nfail = 15.0\n"
@@ -57,7 +58,6 @@ TEST(UntoldModalities, OfDonningsNeedRepeatsInOneCase) {
   EXPECT_EQ(told(head + bends), nothing);
   EXPECT_EQ(told(head + bends + "[[axis]]\nname = \"on\"\ndonnings = 3\n"), nothing);
   EXPECT_TRUE(told(head + bends + "[scenario.donning]\nrepeats = 2\n").empty());
-  fs::remove(card);
 }
 
 }  // namespace

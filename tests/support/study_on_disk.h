@@ -1,6 +1,5 @@
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "loosefit/study/plan.h"
 #include "loosefit/study/study_folder.h"
+#include "support/scratch_folder.h"
 
 // A study of four people in three fits on the disk, with results that are made up.
 namespace loosefit::study {
@@ -43,12 +43,8 @@ inline CaseRecord made_up(const std::string& address, double score) {
 }
 
 struct StudyOnDisk : ::testing::Test {
-  fs::path base =
-      fs::temp_directory_path() / ("loosefit-study-" + std::to_string(getpid()) + "-" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const support::ScratchFolder base;
   Plan plan = make_plan(parse_study_file(kStudy, "x.toml"));
-  void SetUp() override { fs::remove_all(base); }
-  void TearDown() override { fs::remove_all(base); }
 
   /// Score of a case: falls with the fit, rises with the person.
   static double score(const PlannedCase& one) {
@@ -56,7 +52,6 @@ struct StudyOnDisk : ::testing::Test {
   }
   StudyFolder planned(const std::string& name) const {
     const StudyFolder folder(base / name);
-    fs::create_directories(base);
     folder.write_plan(plan);
     return folder;
   }

@@ -7,6 +7,7 @@
 #include "loosefit/base/error.h"
 #include "loosefit/io/csv.h"
 #include "loosefit/validate/air_gap_cells.h"
+#include "support/scratch_folder.h"
 
 namespace loosefit::validate {
 namespace {
@@ -29,9 +30,8 @@ class AirGapTable : public ::testing::Test {
     }
     return "accepted";
   }
-  std::filesystem::path file_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + ".csv");
+  const support::ScratchFolder scratch_;
+  const std::filesystem::path file_ = scratch_ / "rows.csv";
 };
 
 TEST_F(AirGapTable, ReadsARowWithQuotesAndConvertsCentimetres) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/body/body_tape.h"
 #include "loosefit/body/person_search.h"
 #include "loosefit/body/plausible_measures.h"
@@ -98,8 +99,20 @@ std::string at_most_or_least(const MeasureRow& row) {
                      row.measured);
 }
 
+/// The wishes beside `name` that the nearest body misses as well, which are at odds with it; where
+/// it misses none of them, all others.
+std::string beside_others(const std::vector<MeasureRow>& table, const std::string& name) {
+  std::vector<std::string> missed, all;
+  for (const MeasureRow& row : without(table, name)) {
+    all.push_back(fmt::format("{} {:.3f} m", row.name, row.asked));
+    if (off(row) > kResidual) missed.push_back(all.back());
+  }
+  if (all.empty()) return "";
+  return " beside " + join(missed.empty() ? all : missed);
+}
+
 /// A body that misses a wish by more than kMostMiss is somebody else. Told is which wish, how far a
-/// body goes towards it, whether the model ends there, and who is nearest.
+/// body goes towards it beside which others, whether the model ends there, and who is nearest.
 void refuse_misses(PersonSearch& search, const FoundPerson& found) {
   if (std::ranges::all_of(found.table,
                           [](const MeasureRow& row) { return miss(row) <= kMostMiss; }))
@@ -121,7 +134,7 @@ void refuse_misses(PersonSearch& search, const FoundPerson& found) {
   std::string expected, hint = "the nearest body has ";
   if (odd.others_are_met)
     expected = at_most_or_least(row_of(search.farthest(found.table, name).table)) +
-               (found.table.size() > 1 ? " beside the other wishes" : "");
+               beside_others(found.table, name);
   else
     expected = model_ends.empty() ? "measures that one body has together" : at_most_or_least(end);
   for (const MeasureRow& row : found.table)

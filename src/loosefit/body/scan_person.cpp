@@ -245,8 +245,9 @@ std::optional<ScanPerson> person_from_scan(const BodyModel& model, geometry::Tri
                     foot.side > 0 ? "left" : "right", foot.by));
   if (registered.hands_left_out)
     made.warnings.push_back(
-        "a hand is closed or held in another way than the model's: both hands are the "
-        "model's, and arms are as long as the skin above the hands tells");
+        "a hand is closed, ends in the palm, or is held in another way than the model's: both "
+        "hands "
+        "are the model's, and arms are as long as the skin above the hands tells");
   if (off > kUsualStandOff)
     made.warnings.push_back(
         "it is taken for skin, although " + off_in_words(registered.stand_off) +

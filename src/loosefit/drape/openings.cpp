@@ -34,6 +34,7 @@ constexpr double kAlike = 0.25;       ///< relative difference of girth between 
 constexpr double kWidestLimb = 0.67;  ///< of the widest cape's girth: wider tubes are for no limb
 constexpr double kAtShoulder = 0.15;  ///< of the garment's height: an armhole ends so near its top
 constexpr double kOpenFront = 0.6;    ///< of the garment's height, over which an open front runs
+constexpr double kSlant = 0.1;        ///< of the garment's height, by which a hem may rise
 constexpr double kUsualChest = 0.55;  ///< of the stature, where the body does not tell
 
 struct Pair {
@@ -203,13 +204,25 @@ class Uses {
     return beside(i) > limit ? 1 : beside(i) < -limit ? -1 : 0;
   }
 
-  bool runs_from_top_to_bottom(const Opening& opening) const {
+  /// The heights between which a rim runs.
+  std::pair<double, double> heights_of(const Opening& opening) const {
     double low = box_.max().z(), high = box_.min().z();
     for (int v : opening.loop) {
       low = std::min(low, placed_[v].z());
       high = std::max(high, placed_[v].z());
     }
-    return high - low > kOpenFront * height_;
+    return {low, high};
+  }
+
+  /// Neck, edges of the front and hem in one rim. A hem of its own below it tells a deep neck, as
+  /// one between straps is.
+  bool is_front_rim(int i) const {
+    const auto [low, high] = heights_of(all_[i]);
+    const bool hem_below = std::any_of(of_.begin(), of_.end(), [&, low = low](int j) {
+      return j != i && side_of(j) == 0 && all_[j].girth > kNoHand &&
+             heights_of(all_[j]).second < low + kSlant * height_;
+    });
+    return high - low > kOpenFront * height_ && !hem_below;
   }
 
   void sort_out() {
@@ -217,7 +230,7 @@ class Uses {
     for (int i : of_) {
       if (const int side = side_of(i); side != 0)
         (side > 0 ? left : right).push_back(i);
-      else if (of_.size() > 2 && runs_from_top_to_bottom(all_[i]))
+      else if (of_.size() > 2 && is_front_rim(i))
         open_front_ = true;
       else
         middle_ones_.push_back(i);

@@ -2,13 +2,13 @@
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
 #include "loosefit/base/version.h"
+#include "loosefit/io/text_file.h"
 
 namespace loosefit::io {
 namespace {
@@ -172,11 +172,7 @@ void write_glb(const std::filesystem::path& path, const std::vector<GlbSurface>&
   append(bytes, 2);
   append(bytes, static_cast<std::uint32_t>(12 + chunks.size()));
   bytes += chunks;
-  std::ofstream out(path, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out)
-    throw IoError("cannot write " + path.string(), "is the folder there, writable and not full?");
+  write_text_file(path.string(), bytes);
 }
 
 }  // namespace loosefit::io

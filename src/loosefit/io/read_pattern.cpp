@@ -17,6 +17,7 @@
 #include "loosefit/io/valentina.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pattern/heap.h"
+#include "loosefit/pattern/known_skirt.h"
 #include "loosefit/pattern/place_pieces.h"
 
 namespace loosefit::io {
@@ -31,6 +32,24 @@ std::string beginning(const std::filesystem::path& path) {
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   return text;
+}
+
+/// A piece by itself has no partner that seams could be proposed with.
+void tell_single_piece(PatternFile& file) {
+  const pattern::Panel& piece = file.pattern.panels.front();
+  if (std::ranges::any_of(piece.holes, pattern::may_be_neck)) {
+    file.not_placed =
+        "it has no seams: its one piece has a hole that may be a neck, as a poncho or tabard has, "
+        "and nothing says where it is folded over the shoulders";
+    file.not_placed_hint =
+        "draw it as two pieces, front and back, that end at the shoulders, and sew them there in a "
+        "side file";
+  } else {
+    file.not_placed =
+        "it has no seams: its one piece is sewn to nothing, and what is wrapped, tied or fastened "
+        "is not put on";
+    file.not_placed_hint = "sew two of its edges to each other in a side file, as a tube is";
+  }
 }
 
 /// Seams of a side file, or those of a known garment.
@@ -53,6 +72,7 @@ void sew(PatternFile& file, const std::filesystem::path& from) {
                     known.kind, count));
     return;
   }
+  if (known.kind.empty() && file.pattern.panels.size() == 1) return tell_single_piece(file);
   file.not_placed = "it has no seams: none in a side file, and ";
   file.not_placed += known.kind.empty()
                          ? std::string("its pieces are not those of a garment that is known")

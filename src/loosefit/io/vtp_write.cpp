@@ -13,9 +13,9 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cstdio>
-#include <fstream>
 
 #include "loosefit/base/error.h"
+#include "loosefit/io/text_file.h"
 #include "loosefit/io/vtp_seal.h"
 
 namespace loosefit::io {
@@ -95,11 +95,7 @@ void write(const std::filesystem::path& path, vtkPolyData* data) {
   if (writer->Write() != 1) throw IoError("cannot encode " + path.string());
   std::string bytes = writer->GetOutputString();
   bytes += vtp_seal(bytes);
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file)
-    throw IoError("cannot write " + path.string(), "is the folder there, writable and not full?");
+  write_text_file(path.string(), bytes);
 }
 
 }  // namespace

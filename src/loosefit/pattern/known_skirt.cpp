@@ -79,12 +79,6 @@ void order(std::vector<Gore>& gores, KnownSkirt& skirt, const Pattern& pattern) 
   }
 }
 
-/// By its name, or because a head may pass.
-bool may_be_neck(const PanelHole& hole) {
-  const PieceWords words = words_of(hole.name);
-  return words.neck || (!words.pocket && rim_length(hole) >= kHeadMayPass);
-}
-
 }  // namespace
 
 KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels) {
@@ -132,6 +126,11 @@ std::vector<std::string> way_up_doubt(const Panel& panel, const KnownPiece& piec
       "head"};
 }
 
+bool may_be_neck(const PanelHole& hole) {
+  const PieceWords words = words_of(hole.name);
+  return words.neck || (!words.pocket && rim_length(hole) >= kHeadMayPass);
+}
+
 std::vector<std::string> top_doubts(const Pattern& pattern, const std::vector<KnownPiece>& pieces) {
   std::vector<std::string> doubts;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -143,8 +142,8 @@ std::vector<std::string> top_doubts(const Pattern& pattern, const std::vector<Kn
                        " is of a top by its name, of a skirt by its shape");
     for (const PanelHole& hole : panel.holes)
       if (may_be_neck(hole))
-        doubts.push_back("piece " + printable(panel.name) + " has a hole that may be a neck: " +
-                         printable(hole.name));
+        doubts.push_back("piece " + printable(panel.name) +
+                         " has a hole that may be a neck: " + printable(hole.name));
   }
   return doubts;
 }

@@ -29,6 +29,9 @@ KnownSkirt know_skirt(const Pattern& pattern, const std::vector<int>& panels);
 /// What speaks against the way up a piece of a skirt is drawn: it is narrower below than above.
 std::vector<std::string> way_up_doubt(const Panel& panel, const KnownPiece& piece);
 
+/// Whether a hole is named for the neck, or a head may pass it and no name says otherwise.
+bool may_be_neck(const PanelHole& hole);
+
 /// Why pieces that are told as a skirt (one a panel) may be of a top: by a name, or by a hole that
 /// a head may pass or that is named for the neck.
 std::vector<std::string> top_doubts(const Pattern& pattern, const std::vector<KnownPiece>& pieces);

@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <mutex>
 
@@ -153,11 +155,11 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
+  errno = 0;
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
   file.close();
-  if (!file)
-    throw IoError("cannot write " + path.string(), "is the folder there, writable and not full?");
+  if (!file) throw IoError(path.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace loosefit::render
