@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 """How many drapes an hour a study yields on this machine, and what a second worker brings.
 
-usage: throughput.py [--binary FILE] [--people N] [--edges-mm 14 10] [--grade A] [--json FILE]
+usage: throughput.py [--binary FILE] [--people N] [--edges-mm 14 10] [--json FILE]
 
 Shirts in two postures after two donnings, worn in, on people of the shipped statistics: a study with one
 worker and one thread, then the same with a worker per core (as `study run` does). Drapes that do not
-settle count as failed, not as drapes. A case that is finished to grade A besides, as a control, takes time
-and counts once; take people enough that the last case, with one worker idle, is a small part. Core seconds
-hardly change when other work runs beside; the rest needs a quiet machine.
+settle count as failed, not as drapes. Take people enough that the last case, with one worker idle, is a
+small part. Core seconds hardly change when other work runs beside; the rest needs a quiet machine.
 """
 import argparse
 import datetime
@@ -24,7 +23,7 @@ import records
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
 
-def study(people, edge_mm, grade):
+def study(people, edge_mm):
     return f"""[study]
 name = "throughput"
 seed = 5
@@ -40,7 +39,6 @@ list = ["standing", "forward-bend-15"]
 repeats = 2
 [scenario.simulation]
 edge_length = {edge_mm / 1000:g}
-certificate = "{grade}"
 [[axis]]
 name = "person"
 people = {{ statistics = "ansur-2012", sex = "both", count = {people} }}
@@ -76,7 +74,6 @@ def main():
     parser.add_argument("--binary", default=str(ROOT / "build" / "bin" / "loosefit"))
     parser.add_argument("--people", type=int, default=8)
     parser.add_argument("--edges-mm", type=float, nargs="+", default=[14, 10])
-    parser.add_argument("--grade", default="B", choices=["A", "B"])
     parser.add_argument("--json", type=pathlib.Path)
     options = parser.parse_args()
     cores = len(os.sched_getaffinity(0))
@@ -85,7 +82,7 @@ def main():
     for edge in options.edges_mm:
         alone = None
         for jobs in sorted({1, cores}):
-            row = timed(options.binary, study(options.people, edge, options.grade), jobs)
+            row = timed(options.binary, study(options.people, edge), jobs)
             alone = alone or row["per_hour"]
             row |= {"edge_mm": edge, "scaling": row["per_hour"] / alone}
             rows.append(row)

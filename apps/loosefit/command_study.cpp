@@ -71,6 +71,8 @@ void warn_of_plan(const study::Plan& plan) {
                     terminal_line(axis)));
   for (const std::string& people : study::left_to_base(plan))
     to_standard_error(fmt::format("warning: {}\n", terminal_line(people)));
+  for (const std::string& note : plan.notes)
+    to_standard_error(fmt::format("note: {}\n", terminal_line(note)));
   if (const int same = study::same_as_others(plan); same > 0)
     to_standard_error(
         fmt::format("warning: {} of {} cases are the same scenario as another one; it runs once\n",
@@ -291,8 +293,7 @@ void make_run_command(CLI::App* parent, const std::shared_ptr<Arguments>& argume
   add_cache_flag(*command);
   command->add_flag("--keep-output", arguments->runner.keep_output,
                     "also keep all files of each case, as of loosefit run");
-  command->add_flag("--retry-failed", arguments->retry_failed,
-                    "run failed cases and controls again");
+  command->add_flag("--retry-failed", arguments->retry_failed, "run failed cases again");
   command->add_option("--executor", arguments->executor, "local or slurm")
       ->check(CLI::IsMember({"local", "slurm"}));
   command->add_option("--partition", arguments->runner.partition, "of Slurm");
@@ -437,13 +438,12 @@ void make_worker_commands(CLI::App* parent, const std::shared_ptr<Arguments>& ar
     study::RunnerOptions options = arguments->runner;
     options.program = study::own_program();
     options.jobs = 1;
-    const study::FolderPlan plan = folder.read_plan();
     std::vector<std::string> open;
     for (const std::string& address : study::read_bundle(arguments->study, arguments->index))
-      if (!folder.record(plan, address)) open.push_back(address);
+      if (!folder.record(address)) open.push_back(address);
     Progress silent;
     const auto given_up = study::run_here(
-        folder, plan, open, options, [](const study::CaseRecord&) {}, silent);
+        folder, open, options, [](const study::CaseRecord&) {}, silent);
     for (const study::GivenUp& one : given_up)
       to_standard_error(fmt::format("{}: {}\n", one.address, terminal_line(one.why)));
     exit_code = given_up.empty() ? kGood : kNotSettled;

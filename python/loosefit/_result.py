@@ -45,13 +45,6 @@ class Certificate:
     folded_edges: int
     #: Whether the balance is a minimum of the energy; None: not tested.
     stable: Optional[bool]
-    #: "A": residual <= 1e-3, residual_max <= 0.1; "B": residual <= 0.02, and the next step of Newton's
-    #: method would move no vertex by more than 0.1 mm and turn 99 % of normals by no more than 0.2
-    #: degrees; None: not settled.
-    grade: Optional[str]
-    #: What that step would move and turn at most; None: not asked.
-    move_to_go_m: Optional[float]
-    turn_to_go_rad: Optional[float]
     #: Why the solver stopped.
     stop_reason: str
 

@@ -17,7 +17,7 @@ class Study:
     """A study that was run, read from its database; nothing is changed.
 
     Tables are those of docs/studies.md: study, axes, cases, levels, inputs, body, fit, garment, maps, sites,
-    samples, metrics, controls, control_scores, notes, versions, execution.
+    samples, metrics, notes, versions, execution.
     """
 
     def __init__(self, folder: Union[str, os.PathLike[str]]) -> None:

@@ -120,9 +120,6 @@ py::dict dict_of(const drape::Certificate& c, const pipeline::PuttingOn& putting
   row["intersections_layers"] = c.intersections_layers;
   row["folded_edges"] = c.folded_edges;
   row["stable"] = c.stable;
-  row["grade"] = c.settled() ? std::optional<std::string>(solver::name(c.grade())) : std::nullopt;
-  row["move_to_go_m"] = c.left ? std::optional<double>(c.left->move) : std::nullopt;
-  row["turn_to_go_rad"] = c.left ? std::optional<double>(c.left->turn) : std::nullopt;
   row["stop_reason"] = c.stop_reason;
   return row;
 }

@@ -100,6 +100,21 @@ TEST(Scenario, MapsMadeByDefaultAreThoseOfTheCatalogue) {
   EXPECT_EQ(default_scenario().output.maps, maps::default_map_names());
 }
 
+// Of files that earlier versions read, or wrote as scenario.toml of a run.
+TEST(Scenario, ACertificateOfAnEarlierFileIsReadWithoutEffect) {
+  const std::string usual = scenario_toml(default_scenario());
+  EXPECT_EQ(usual.find("certificate"), std::string::npos);
+  const scenario::Scenario a = parse_scenario("[simulation]\ncertificate = \"A\"\n", "a.toml"),
+                           b = parse_scenario("[simulation]\ncertificate = \"B\"\n", "b.toml");
+  EXPECT_EQ(scenario_toml(a), usual);
+  EXPECT_EQ(scenario_toml(b), usual);
+  EXPECT_TRUE(a.simulation.notes.empty()) << "it has what it asks for";
+  ASSERT_EQ(b.simulation.notes.size(), 1u);
+  EXPECT_NE(b.simulation.notes[0].find("no effect"), std::string::npos);
+  EXPECT_NE(refusal("[simulation]\ncertificate = \"C\"\n").find("expected one of A, B"),
+            std::string::npos);
+}
+
 TEST(Scenario, EmptyFileGivesTheDocumentedDefaults) {
   const scenario::Scenario s = default_scenario();
   EXPECT_EQ(s.body.height, 1.68);

@@ -54,7 +54,6 @@ class AStudy(unittest.TestCase):
         cases = self.study.table("cases")
         self.assertEqual(cases["number"], [1, 2])
         self.assertEqual(cases["status"], ["done", "done"])
-        self.assertEqual(cases["grade"], ["A", "A"])
         self.assertEqual(self.study.facts["name"], "two fits")
 
     def test_the_manual_lists_every_table_and_column_of_the_database(self):

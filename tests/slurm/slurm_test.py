@@ -3,7 +3,7 @@
 
 usage: slurm_test.py BINARY [--people N] [--kills K]    as root; exit 0 good, 1 not, 2 no Slurm here
 
-Drawn donnings, grade B with its controls. Brings up munged, slurmctld and slurmd of its own in a temporary folder, on free ports and for this machine alone,
+Drawn donnings. Brings up munged, slurmctld and slurmd of its own in a temporary folder, on free ports and for this machine alone,
 and takes them down again. Of the study's array tasks K are killed (SIGKILL) while they run; they are to be submitted
 again by the runner.
 """
@@ -32,7 +32,6 @@ pattern = "tank-top"
 movements = []
 [scenario.simulation]
 edge_length = 0.05
-certificate = "B"
 [[axis]]
 name = "person"
 people = {{ statistics = "ansur-2012", count = {people} }}

@@ -50,19 +50,6 @@ TEST(Stability, OfSpringsIsThatAllOfThemPull) {
   EXPECT_FALSE(lowest_unstable_mode(pulling.system, pulling.x).has_value());
 }
 
-TEST(Stability, TheStepToRestIsTheWayToTheMinimumOfAQuadraticEnergy) {
-  Scene scene({3000, 1000, 2000}, {1e-3, 1e-3, 1e-3});
-  scene.system.held = {0, 1, 0};
-  scene.x = {Vec3(1e-3, 0, 0), Vec3(1, 1, 1), Vec3(0, -2e-3, 1e-3)};
-  const auto step = step_to_rest(scene.system, scene.x);
-  ASSERT_TRUE(step.has_value());
-  EXPECT_LT(((*step)[0] + scene.x[0]).norm(), 1e-9);
-  EXPECT_EQ((*step)[1], Vec3(0, 0, 0));
-  EXPECT_LT(((*step)[2] + scene.x[2]).norm(), 1e-9);
-  const Scene pushing({3, -1, 2}, {1, 1, 1});
-  EXPECT_FALSE(step_to_rest(pushing.system, pushing.x).has_value());
-}
-
 TEST(Stability, HeldParticlesDoNotCount) {
   Scene scene({3, -1, 2}, {1, 1, 1});
   scene.system.held = {0, 1, 0};

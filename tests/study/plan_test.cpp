@@ -14,7 +14,6 @@
 #include "loosefit/io/scenario_writer.h"
 #include "loosefit/io/text_file.h"
 #include "loosefit/pipeline/wear_states.h"
-#include "loosefit/study/controls.h"
 #include "loosefit/study/run_study.h"
 #include "support/scratch_folder.h"
 
@@ -303,23 +302,35 @@ TEST(Plan, CountsDrapes) {
   EXPECT_EQ(plan.drapes(), 2 * 2 * 3);
 }
 
-TEST(Plan, LongCasesAndControlsRunFirst) {
+TEST(Plan, LongCasesRunFirst) {
   const Plan plan = plan_of(kHead + kPeople +
-                            "[scenario.simulation]\ncertificate = \"B\"\n"
                             "[[axis]]\nname = \"edge\"\nkey = \"simulation.edge_length\"\n"
                             "values = [0.03, 0.01]\n");
   std::vector<std::string> all;
   for (const PlannedCase& one : plan.cases) all.push_back(one.address);
-  const std::vector<std::string> controls = control_addresses(all);
   const std::vector<std::string> order = longest_first(plan, all);
   ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), all.begin(), all.end()));
-  std::map<std::string, double> work;
-  for (const PlannedCase& one : plan.cases)
-    work[one.address] = (one.edge_length < 0.02 ? 2.5 : 1) *  // 44 and 18 core seconds
-                        (std::count(controls.begin(), controls.end(), one.address) ? 2 : 1);
-  // 1, 2, 2.5 and 5 in falling order: a control among the coarse ones goes behind the fine ones.
+  std::map<std::string, double> edge;
+  for (const PlannedCase& one : plan.cases) edge[one.address] = one.edge_length;
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end(),
-                             [&](const auto& a, const auto& b) { return work[a] > work[b]; }));
+                             [&](const auto& a, const auto& b) { return edge[a] < edge[b]; }));
+}
+
+// It is said once, and the cases are those of a study file without the key.
+TEST(Plan, ACertificateOfAnEarlierStudyFileChangesNothingAndIsTold) {
+  const std::string text = kHead + kFits, simulation = "[scenario.simulation]\ncertificate = ";
+  const Plan without = plan_of(text), a = plan_of(text + simulation + "\"A\"\n"),
+             b = plan_of(text + simulation + "\"B\"\n");
+  EXPECT_TRUE(without.notes.empty());
+  EXPECT_TRUE(a.notes.empty()) << "it has what it asks for";
+  ASSERT_EQ(b.notes.size(), 1u);
+  EXPECT_NE(b.notes.begin()->find("certificate has no effect"), std::string::npos);
+  ASSERT_EQ(b.cases.size(), without.cases.size());
+  for (std::size_t i = 0; i < b.cases.size(); ++i) {
+    EXPECT_EQ(b.cases[i].toml, without.cases[i].toml);
+    EXPECT_EQ(b.cases[i].address, without.cases[i].address);
+  }
+  EXPECT_THROW(plan_of(text + simulation + "\"C\"\n"), InvalidInput);
 }
 
 // As for crossed designs, where each_case has the draws of all cases.

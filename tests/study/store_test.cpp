@@ -101,7 +101,7 @@ TEST_F(StudyOnDisk, DatabaseThatIsDamagedOrBehindIsMadeAnew) {
     ASSERT_TRUE(kept.step());
     EXPECT_EQ(kept.text(0), "keep");
     Statement open = database.prepare(
-        "SELECT number FROM cases WHERE status = 'open' AND reason IS NULL AND grade IS NULL");
+        "SELECT number FROM cases WHERE status = 'open' AND reason IS NULL AND residual IS NULL");
     ASSERT_TRUE(open.step());
     EXPECT_EQ(open.integer(0), plan.cases[5].number);
     EXPECT_FALSE(open.step());
@@ -195,21 +195,6 @@ TEST_F(StudyOnDisk, AnExportReplacesOnlyAnEarlierOne) {
       return names;
     }());
   EXPECT_EQ(io::read_text_file((base / "csv" / "notes.txt").string(), 1000), "keep");
-}
-
-// What was found out about grade B is a result like any other.
-TEST_F(StudyOnDisk, ControlsAreExportedAndAPartOfTheContent) {
-  const StudyFolder folder = finished("a");
-  const FolderPlan read = folder.read_plan();
-  collect(folder, read);
-  const std::string without = content_sha256(folder.database());
-  CaseRecord record = made_up(plan.cases[3].address, score(plan.cases[3]));
-  record.control = {true, "", {{"slip_mm", 0.25}}};
-  Store(folder.database()).put(read, record);
-  EXPECT_NE(content_sha256(folder.database()), without);
-  export_csv(folder.database(), base / "csv");
-  EXPECT_EQ(io::read_text_file((base / "csv" / "controls.csv").string(), 10000),
-            "number,metric,largest\n4,slip_mm,0.25\n");
 }
 
 TEST_F(StudyOnDisk, AnalysisFindsTheLimitThatWasPutIn) {
@@ -417,7 +402,6 @@ std::string program(const fs::path& folder, const std::string& deed) {
 
 TEST_F(StudyOnDisk, ACaseThatCrashesTheProgramIsRecordedAndStopsNothing) {
   const StudyFolder folder = planned("a");
-  const FolderPlan read = folder.read_plan();
   const std::string log = (base / "log").string();
   RunnerOptions options;
   options.program = program(base / "bin", "echo $4 >> " + log + "; kill -SEGV $$");
@@ -426,11 +410,11 @@ TEST_F(StudyOnDisk, ACaseThatCrashesTheProgramIsRecordedAndStopsNothing) {
   int seen = 0;
   Progress silent;
   const auto given_up = run_here(
-      folder, read, two, options, [&](const CaseRecord&) { ++seen; }, silent);
+      folder, two, options, [&](const CaseRecord&) { ++seen; }, silent);
   EXPECT_TRUE(given_up.empty());
   EXPECT_EQ(seen, 2);
   for (const std::string& address : two) {
-    const std::optional<CaseRecord> record = folder.record(read, address);
+    const std::optional<CaseRecord> record = folder.record(address);
     ASSERT_TRUE(record);
     EXPECT_EQ(record->status, CaseStatus::failed);
     EXPECT_NE(record->reason.find("crashed 3 times"), std::string::npos) << record->reason;
@@ -447,8 +431,7 @@ TEST_F(StudyOnDisk, TroubleOfTheMachineStopsTheStudyAndIsTold) {
   Progress silent;
   try {
     run_here(
-        folder, folder.read_plan(), {plan.cases[0].address}, options, [](const CaseRecord&) {},
-        silent);
+        folder, {plan.cases[0].address}, options, [](const CaseRecord&) {}, silent);
     FAIL();
   } catch (const IoError& error) {
     EXPECT_STREQ(error.what(), "disk full");

@@ -37,25 +37,6 @@ TEST_F(StudyOnDisk, WhatOneScenarioOfSeveralNumbersTookCountsOnce) {
   EXPECT_DOUBLE_EQ(data.core_seconds, 11 * 12.5);
 }
 
-TEST_F(StudyOnDisk, AControlOfSeveralNumbersCountsOnce) {
-  plan = make_plan(parse_study_file(
-      kStudy + std::string("[scenario.simulation]\ncertificate = \"B\"\n"
-                           "[scenario.donning]\nrepeats = 1\n[[axis]]\nname = \"idle\"\n"
-                           "key = \"donning.shift\"\nvalues = [0.01, 0.02]\n"),
-      "x.toml"));
-  const StudyFolder folder = planned("a");
-  const std::set<std::string> controls = folder.read_plan().controls;
-  for (const PlannedCase& one : plan.cases) {
-    CaseRecord record = made_up(one.address, score(one));
-    if (controls.contains(one.address))
-      record.control = {true, "", {{"slip_mm", 0.25}}, ScoreChanges{7, 2, 1}};
-    write_whole(folder.result_file(one.address), record_json(record));
-  }
-  const ControlSummary summary = read_study_data(folder).controls;
-  EXPECT_EQ(summary.cases, static_cast<int>(controls.size()));
-  EXPECT_EQ(summary.scores.kept, 7 * static_cast<int>(controls.size()));
-}
-
 // A limit that hangs on one of four people says so.
 TEST_F(StudyOnDisk, TheHeadlineSaysHowManyAreRatedAtTheFitThatSetsTheLimit) {
   const StudyFolder folder = planned("a");

@@ -9,7 +9,7 @@
 namespace loosefit::drape {
 
 Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const body::PosedBody& body,
-                    const Stop& stop, double allowed_residual, solver::RestGrade enough) {
+                    const Stop& stop, double allowed_residual) {
   Certificate c;
   model.system().begin_step(x, std::numeric_limits<double>::infinity());
   const solver::Residual r = solver::residual_of(model.system(), model.system().gradient(x));
@@ -25,9 +25,6 @@ Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const body::P
       static_cast<int>(geometry::mesh_intersections(x, cloth.triangles, body.tree()).size() +
                        model.below_floor(x).size());
   c.allowed_residual = allowed_residual;
-  if (enough == solver::RestGrade::b && c.intersections_body + c.intersections_self == 0 &&
-      c.residual <= solver::kRestToleranceB)
-    c.left = left_to_go(model.system(), cloth.triangles, x);
   if (c.settled()) c.stable = solver::is_stable(model.system(), x);
   c.reason = stop.reason;
   c.stop_reason = stop.text();

@@ -6,10 +6,8 @@
 namespace loosefit::drape {
 
 /// Measures the force balance, which may be up to `allowed_residual`, and tests for intersections
-/// with exact predicates, of all layers; where grade B is `enough` and nothing cuts, also how far
-/// it is from rest. `stop`: why settling ended.
+/// with exact predicates, of all layers. `stop`: why settling ended.
 Certificate certify(ClothModel& model, const std::vector<Vec3>& x, const body::PosedBody& body,
-                    const Stop& stop, double allowed_residual = solver::kRestTolerance,
-                    solver::RestGrade enough = solver::RestGrade::a);
+                    const Stop& stop, double allowed_residual = solver::kRestTolerance);
 
 }  // namespace loosefit::drape

@@ -6,8 +6,6 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/drape/openings.h"
-#include "loosefit/geometry/exact_intersection.h"
-#include "loosefit/geometry/folded_edges.h"
 #include "loosefit/solver/implicit_euler.h"
 #include "loosefit/solver/quasi_static.h"
 #include "loosefit/solver/semi_implicit_euler.h"
@@ -62,9 +60,7 @@ Stop ClothState::how_it_ended() const {
   if (falling) return *falling;
   // A loose tolerance may have been met when time or iterations were used up: that is not why it
   // stopped.
-  const double enough =
-      options.grade == solver::RestGrade::b ? solver::kRestToleranceB : options.residual_tolerance;
-  if (last.residual > enough) {
+  if (last.residual > options.residual_tolerance) {
     if (budget.time_is_up()) return {StopReason::time_budget};
     if (budget.iterations_left() == 0) return {StopReason::iteration_limit};
     if (budget.phase_is_over())
@@ -116,20 +112,6 @@ void ClothState::move_without_collision(const std::vector<Vec3>& displacement) {
 
 void ClothState::carry_anchors(const std::vector<Vec3>& displacement) {
   for (int l = 0; l < layer_count(); ++l) model->body(l).carry_anchors(displacement);
-}
-
-bool ClothState::is_near_enough(double residual) {
-  const auto& asks = tuning.certify.ask_tolerances;
-  if (asked_ == asks.size() || residual > asks[asked_]) return false;
-  while (asked_ < asks.size() && residual <= asks[asked_]) ++asked_;
-  const auto left = left_to_go(model->system(), triangles(), x);
-  return left && left->is_grade_b() &&
-         solver::residual_of(model->system(), model->system().gradient(x)).largest <=
-             solver::kRestLargestB &&
-         geometry::self_intersections(x, triangles()).empty() &&
-         geometry::folded_edges(x, triangles()).empty() &&
-         geometry::mesh_intersections(x, triangles(), body->body.tree()).empty() &&
-         model->below_floor(x).empty();
 }
 
 bool ClothState::is_stalled(int iteration, double residual) {
@@ -193,9 +175,6 @@ void ClothState::settle(const SettleGoal& goal) {
   went_back.reset();
   stalled.reset();
   progress_to_ = std::numeric_limits<double>::infinity(), progress_at_ = 0;
-  asked_ = 0;
-  if (goal.last_of_all && options.grade == solver::RestGrade::b && counts)
-    settle.near_enough = [this](double residual) { return is_near_enough(residual); };
   recover(RecoveryPoint::before_settle);
   const long searches_before = model->self().searches();
   if (!integrator_ || integrator_kind_ != kind) {

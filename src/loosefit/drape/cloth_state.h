@@ -42,8 +42,6 @@ struct SettleGoal {
   double first_dt;     ///< first pseudo-step [s]
   /// On the way to a posture: always quasi-static, and no state of it is kept.
   bool preparing = false;
-  /// Ends where it is near enough to rest for the grade that is wanted (DrapeOptions::grade).
-  bool last_of_all = false;
 };
 inline constexpr int kNoLimit = std::numeric_limits<int>::max();
 
@@ -162,11 +160,8 @@ struct ClothState {
  private:
   /// Whether the lowest residual has not fallen for too long (StallTuning).
   bool is_stalled(int iteration, double residual);
-  /// Whether a place of residual below the next of CertifyTuning::ask_tolerances will do as it is.
-  bool is_near_enough(double residual);
 
   double fraction_ = 0;                             ///< that progress was told last
-  std::size_t asked_ = 0;                           ///< of the tolerances, in this settling
   double progress_to_ = 0;                          ///< the residual at its last fall
   int progress_at_ = 0;                             ///< iteration of that
   double progress_height_ = 0;                      ///< of the middle of the cloth then [m]

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "loosefit/base/types.h"
-#include "loosefit/drape/left_to_go.h"
 #include "loosefit/drape/recovery.h"
 #include "loosefit/drape/stop_reason.h"
 #include "loosefit/drape/unsettled.h"
@@ -33,8 +32,6 @@ struct Certificate {
   /// that was looser (DrapeOptions::residual_tolerance).
   double allowed_residual = solver::kRestTolerance;
   StopReason reason = StopReason::unknown;  ///< stop_reason in one word
-  /// How far it is from rest at most; told where grade B was wanted and nothing cuts.
-  std::optional<LeftToGo> left = {};
   bool worn() const { return worn_reasons.empty(); }
   /// What maps and exit codes ask for.
   bool holds() const { return settled() && worn(); }
@@ -42,17 +39,8 @@ struct Certificate {
   double allowed_largest() const {
     return solver::kRestLargest * (allowed_residual / solver::kRestTolerance);
   }
-  bool is_balanced() const { return is_grade_a() || is_grade_b(); }
-  bool is_grade_a() const {
+  bool is_balanced() const {
     return residual <= allowed_residual && residual_max <= allowed_largest();
-  }
-  bool is_grade_b() const {
-    return left && left->is_grade_b() && residual <= solver::kRestToleranceB &&
-           residual_max <= solver::kRestLargestB;
-  }
-  /// Of a balanced one: what it reached, whatever was wanted.
-  solver::RestGrade grade() const {
-    return is_grade_a() ? solver::RestGrade::a : solver::RestGrade::b;
   }
   bool settled() const {
     return is_balanced() && intersections_body == 0 && intersections_self == 0;

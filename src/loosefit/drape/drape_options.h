@@ -20,12 +20,6 @@ struct DrapeOptions {
   /// ‖F‖₂/‖W‖₂ that is sought [–]. The certificate asks for kRestTolerance, or for this where it is
   /// looser.
   double residual_tolerance = solver::kRestTolerance;
-  /// Grade of rest that is enough; what is better already stays so. Grade B: the
-  /// way to grade A ends where LeftToGo is small enough and nothing cuts.
-  solver::RestGrade grade = solver::RestGrade::a;
-  /// Other drapes start from where putting on ends, which is then grade A: a small difference there
-  /// may lead to other folds elsewhere.
-  bool others_follow = false;
   double gravity = kGravity;  ///< [m/s²]; the paper prints 9.8
   /// Wall seconds for the whole drape, times `drapes_at_once`; then its best state is taken.
   double time_budget = 600;

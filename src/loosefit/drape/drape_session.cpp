@@ -10,12 +10,11 @@ namespace loosefit::drape {
 
 struct DrapeSession::State {
   State(std::vector<ClothLayer> garments, const DrapeOptions& o, Progress& progress)
-      : layers(std::move(garments)), options(o), put_on(o) {
-    if (o.others_follow) put_on.grade = solver::RestGrade::a;
-    cloth.emplace(layers, put_on, recoveries(), progress);
+      : layers(std::move(garments)), options(o) {
+    cloth.emplace(layers, options, recoveries(), progress);
   }
   std::vector<ClothLayer> layers;
-  DrapeOptions options, put_on;
+  DrapeOptions options;
   std::optional<ClothState> cloth;  ///< until it is put on
   std::shared_ptr<const WornCloth> worn;
 };

@@ -35,7 +35,6 @@ bool has_left_field(ClothState& state) { return !state.body->field->covers(bound
 bool converged_but_above_tolerance(ClothState& state) {
   return state.last.reason == solver::SettleOutcome::Reason::converged && !state.given_up &&
          !state.must_stop() && !state.best_was_taken &&
-         !(state.options.grade == solver::RestGrade::b && state.certificate.is_grade_b()) &&
          (state.certificate.residual > state.options.residual_tolerance ||
           !state.certificate.is_balanced());
 }
@@ -60,8 +59,7 @@ bool cuts_at_rest(ClothState& state) {
 /// Also of a drape that was asked to be less near to rest: a kept state may be nearer.
 bool may_be_better(ClothState& state) {
   const Certificate& c = state.certificate;
-  return !state.best_was_taken && (!c.settled() || (c.residual > solver::kRestTolerance &&
-                                                    state.options.grade == solver::RestGrade::a));
+  return !state.best_was_taken && (!c.settled() || c.residual > solver::kRestTolerance);
 }
 
 /// The soft layer frees cloth from the skin, not from other cloth, but a triangle that the skin has

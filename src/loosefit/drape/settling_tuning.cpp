@@ -156,10 +156,8 @@ Fields penetration_fields(PenetrationTuning& t) {
 }
 
 Fields certify_fields(CertifyTuning& t) {
-  Fields fields("certify");
-  for (std::size_t i = 0; i < t.ask_tolerances.size(); ++i)
-    fields.residual(fmt::format("ask_tolerances[{}]", i).c_str(), t.ask_tolerances[i]);
-  return fields.share("first_share", t.first_share)
+  return Fields("certify")
+      .share("first_share", t.first_share)
       .share("next_share", t.next_share)
       .share("worth_keeping", t.worth_keeping)
       .count("attempts", t.attempts)

@@ -225,10 +225,6 @@ struct CertifyTuning {
   double first_share = 0.8;
   double next_share = 0.5;
   int attempts = 3;  ///< [–]; chosen by experiment
-  /// Residuals at which a drape that may end with grade B is asked how far it has to go [–]: the
-  /// answer costs what an iteration costs. Not at 0.1: a knit that still slips went on by 3.7
-  /// degrees from where the Hessian, which takes contacts as stuck, saw 0.07 mm (docs/accuracy.md).
-  std::array<double, 2> ask_tolerances = {0.02, 0.005};
   /// How often a saddle is left [–], and how far the particle that goes farthest goes then [m]:
   /// two thicknesses of a fabric, so that it comes clear of what held it.
   int saddle_attempts = 3;

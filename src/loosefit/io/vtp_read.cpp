@@ -17,6 +17,10 @@
 namespace loosefit::io {
 namespace {
 
+// Earlier versions also took a residual [–] that was this much larger for rest, where the next
+// Newton step moved no vertex farther [m] and turned 99 % of the normals by no more [rad].
+constexpr double kToleranceWithLittleLeft = 0.02, kLeftToMove = 1e-4, kLeftToTurn = radians(0.2);
+
 vtkDataArray* need(const std::filesystem::path& path, vtkFieldData* from, const char* name,
                    int components, vtkIdType tuples) {
   vtkDataArray* array = from->GetArray(name);
@@ -119,9 +123,13 @@ DrapeFile read_drape_vtp(const std::filesystem::path& path) {
         need(path, data->GetFieldData(), "folded_edges", 1, 1)->GetComponent(0, 0));
   if (data->GetFieldData()->HasArray("stable"))
     certificate.stable = need(path, data->GetFieldData(), "stable", 1, 1)->GetComponent(0, 0) != 0;
-  if (data->GetFieldData()->HasArray("left_to_go")) {
+  if (data->GetFieldData()->HasArray("allowed_residual"))
+    certificate.allowed_residual =
+        need(path, data->GetFieldData(), "allowed_residual", 1, 1)->GetComponent(0, 0);
+  if (data->GetFieldData()->HasArray("left_to_go")) {  // in early files
     vtkDataArray* left = need(path, data->GetFieldData(), "left_to_go", 2, 1);
-    certificate.left = drape::LeftToGo{left->GetComponent(0, 0), left->GetComponent(0, 1)};
+    if (left->GetComponent(0, 0) <= kLeftToMove && left->GetComponent(0, 1) <= kLeftToTurn)
+      certificate.allowed_residual = kToleranceWithLittleLeft;
   }
   const auto reason = strings(path, data->GetFieldData(), "stop_reason");
   if (!reason.empty()) certificate.stop_reason = reason.front();

@@ -149,8 +149,9 @@ void write_drape_vtp(const std::filesystem::path& path, const garment::Garment& 
   add_array(field, "residual", 2, {c.residual, c.residual_max}, 1);
   add_array(field, "intersections", {c.intersections_body, c.intersections_self});
   add_array(field, "folded_edges", {c.folded_edges});
+  if (c.allowed_residual != solver::kRestTolerance)
+    add_array(field, "allowed_residual", 1, {c.allowed_residual}, 1);
   if (c.stable) add_array(field, "stable", {*c.stable ? 1 : 0});
-  if (c.left) add_array(field, "left_to_go", 2, {c.left->move, c.left->turn}, 1);
   add_strings(field, "stop_reason", {c.stop_reason});
   add_array(field, "worn", {c.worn() ? 1 : 0});
   add_strings(field, "worn_reasons", c.worn_reasons);

@@ -295,6 +295,7 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   add(all, "body", of_donnings);
   add_passing_skin(all, result);
   add_garments(all, result);
+  add(all, "simulation", result.scenario.simulation.notes);
   add_fit(all, result);
   add_putting_on(all, result);
   for (const placement::UncoveredSite& site : result.uncovered_sites)

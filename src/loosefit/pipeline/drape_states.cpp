@@ -94,7 +94,6 @@ Task put_on_again(const Start& start, Task task, int sharing, Progress& progress
   const CaseResult& reference = start.reference;
   const CaseDonning& how = start.wear.donnings[task.state.id.donning];
   drape::DrapeOptions options = drape_options(reference.scenario.simulation);
-  options.others_follow = start.wear.postures.size() > 1;
   options.drapes_at_once = sharing;
   CaseBody body = clone_wearer(reference.body);
   PutOn again =

@@ -16,9 +16,8 @@ bool is_sewn_part(const placement::SiteSpec& site) {
   return site.board.has_value() || (site.line && site.line->is_sewn_part());
 }
 
-}  // namespace
-
-std::map<std::string, std::string> draped_from(const Scenario& scenario) {
+/// Texts of what draped_from makes digests of.
+std::map<std::string, std::string> texts_of(const Scenario& scenario) {
   const std::size_t worn = scenario.garments.size();
   Scenario garment, material, simulation, donning, attachment;
   garment.garments.resize(worn);
@@ -40,21 +39,29 @@ std::map<std::string, std::string> draped_from(const Scenario& scenario) {
   donning.donning.repeats = 1;
   attachment.attachments = scenario.attachments;
   std::ranges::copy_if(scenario.sites, std::back_inserter(attachment.sites), is_sewn_part);
-  std::map<std::string, std::string> digests;
+  std::map<std::string, std::string> texts;
   for (const auto& [section, part] : {std::pair<const char*, const Scenario&>{"garment", garment},
                                       {"material", material},
                                       {"simulation", simulation},
                                       {"donning", donning},
                                       {"attachment", attachment}})
-    digests[section] = sha256_hex(io::scenario_toml(part));
+    texts[section] = io::scenario_toml(part);
+  return texts;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> draped_from(const Scenario& scenario) {
+  std::map<std::string, std::string> digests;
+  for (const auto& [section, text] : texts_of(scenario)) digests[section] = sha256_hex(text);
   return digests;
 }
 
 void check_draped_from(const std::filesystem::path& file,
                        const std::map<std::string, std::string>& kept, const Scenario& scenario) {
-  for (const auto& [section, digest] : draped_from(scenario)) {
+  for (const auto& [section, text] : texts_of(scenario)) {
     const auto before = kept.find(section);
-    if (before == kept.end() || before->second == digest) continue;
+    if (before == kept.end() || io::is_digest_of(before->second, text)) continue;
     const bool parts = section == "attachment";
     throw InvalidInput({file.string(), 0, parts ? "attachment, site" : section},
                        parts ? "other parts of the garment than those that it was draped with"

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "loosefit/base/error.h"
-#include "loosefit/base/sha256.h"
 #include "loosefit/base/text.h"
 #include "loosefit/drape/recoveries.h"
 #include "loosefit/io/scenario.h"
@@ -150,8 +149,7 @@ CaseRepeats repeats_in(const std::string& file, const Json& summary,
   CaseRepeats repeats;
   if (scenario.simulation.repeats < 2) return repeats;
   // Spreads hold for the sites and the garment that the scenario had then.
-  if (!summary.contains("scenario_sha256") ||
-      summary["scenario_sha256"] != sha256_hex(io::scenario_toml(scenario))) {
+  if (!io::is_digest_of(text_at(summary, "scenario_sha256"), io::scenario_toml(scenario))) {
     repeats.warnings.push_back(
         "scenario.toml has been changed since the drapes from other starts: their spread is left "
         "out");

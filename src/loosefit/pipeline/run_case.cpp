@@ -30,10 +30,9 @@ CaseResult run_case(const scenario::Scenario& scenario, Progress& progress,
 
   int at_once = 1;
   {
-    drape::DrapeOptions settling = drape_options(scenario.simulation);
-    settling.others_follow = plan_wear(result.scenario).postures.size() > 1;
     PutOn first = put_on_garments(result.scenario, result.garments, result.body,
-                                  planned_donnings(scenario.donning).front(), settling,
+                                  planned_donnings(scenario.donning).front(),
+                                  drape_options(scenario.simulation),
                                   clock);  // dress, settle
     result.take_drapes(
         check_worn(std::move(first.drapes), result.garments, result.scenario, result.body.body));

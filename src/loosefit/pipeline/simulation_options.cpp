@@ -18,7 +18,6 @@ drape::IntegratorKind integrator_kind(const std::string& word) {
 drape::DrapeOptions drape_options(const scenario::ScenarioSimulation& simulation, int repeat) {
   return {.integrator = integrator_kind(simulation.integrator),
           .residual_tolerance = simulation.residual_tolerance,
-          .grade = simulation.certificate,
           .gravity = simulation.gravity,
           .time_budget = simulation.time_budget,
           .max_iterations = simulation.max_iterations,

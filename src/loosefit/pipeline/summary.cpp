@@ -342,13 +342,6 @@ Json movements_json(const std::vector<CaseMovement>& movements) {
   return json;
 }
 
-/// Grade and how far it is from rest at most.
-void add_grade(const drape::Certificate& c, Json& json) {
-  json["grade"] = c.settled() ? Json(solver::name(c.grade())) : Json(nullptr);
-  if (c.left)
-    json["left_to_go"] = {{"move_mm", 1e3 * c.left->move}, {"turn_deg", degrees(c.left->turn)}};
-}
-
 Json donnings_json(const std::vector<CaseDonning>& donnings) {
   Json json = Json::array();
   for (const CaseDonning& d : donnings)
@@ -384,7 +377,6 @@ void add_wear(const CaseWear& wear, const garment::Garment& garment, Json& json)
         {"held_off_triangles", report.held_off_triangles},
         {"largest_contact_offset_mm", 1e3 * report.largest_contact_offset},
         {"coarsened_field_mm", 1e3 * report.coarsened_field}};
-    add_grade(c, entry);
     if (s.draped() && s.drape().unsettled)
       entry["unsettled"] = unsettled_json(*s.drape().unsettled);
     if (!s.maps.maps.empty()) entry["maps"] = maps_json(s.maps.maps, garment, s.maps.worn);
@@ -410,7 +402,6 @@ Json certificate_json(const CaseResult& result) {
   json["residual"] = certificate.residual;
   json["residual_max"] = certificate.residual_max;
   json["stable"] = stable_json(certificate);
-  add_grade(certificate, json);
   json["intersections"] = {{"body", certificate.intersections_body},
                            {"self", certificate.intersections_self},
                            {"folded_edges", certificate.folded_edges}};

@@ -6,20 +6,11 @@ const std::vector<GlossaryTerm>& glossary() {
   static const std::vector<GlossaryTerm> terms = {
       {"residual", "Residual ‖F‖/‖W‖",
        "Net force left on the cloth, root of the sum of squares over all free vertices, over that "
-       "of their weights. At rest it is zero; a drape counts as settled up to 0.001, or up to 0.02 "
-       "where grade B is asked for. (docs/theory/solver.md 1.)"},
+       "of their weights. At rest it is zero; a drape counts as settled up to 0.001. "
+       "(docs/theory/solver.md 1.)"},
       {"residual-max", "Largest on one particle",
        "Net force on the vertex where it is greatest, over the mean weight of a vertex; at most "
        "0.1 of a settled drape."},
-      {"grade", "Grade",
-       "A: the net force left is at most 0.001 of the weight. B: at most 0.02, and the next step "
-       "of "
-       "Newton's method would change less than maps can mean, which is an estimate. "
-       "(docs/theory/solver.md 1.)"},
-      {"left-to-go", "Left to go",
-       "How far the next step of Newton's method with the exact Hessian would move the vertex that "
-       "it "
-       "moves farthest, and turn 99 % of the normals at most."},
       {"crossings", "Crossings",
        "Pairs of triangles that intersect, by an exact test: cloth with body, cloth with itself. "
        "Cloth that is folded flat on itself counts too. A settled drape has none."},

@@ -45,7 +45,6 @@ std::string run_document(const FolderOutput& made, const std::string& folder) {
        {"can_be_put_on", putting_on.possible ? Json(*putting_on.possible) : Json(nullptr)},
        {"can_be_put_on_reasons", putting_on.reasons},
        {"stable", certificate.stable ? Json(*certificate.stable) : Json(nullptr)},
-       {"grade", certificate.settled() ? Json(solver::name(certificate.grade())) : Json(nullptr)},
        {"residual", certificate.residual},
        {"stop_reason", certificate.stop_reason},
        {"sealed", made.result.sealed()},

@@ -16,20 +16,15 @@ std::string number_or_dash(double value) {
 
 std::string certificate_text(const pipeline::CaseResult& result) {
   const drape::Certificate& certificate = result.certificate();
-  std::string text = fmt::format(
-      "{}{}: residual {:.2e}, intersections body {} self {} ({})\n",
-      certificate.settled() ? "settled" : "NOT SETTLED",
-      certificate.settled() && certificate.grade() == solver::RestGrade::b ? ", grade B" : "",
-      certificate.residual, certificate.intersections_body, certificate.intersections_self,
-      terminal_line(certificate.stop_reason));
+  std::string text =
+      fmt::format("{}: residual {:.2e}, intersections body {} self {} ({})\n",
+                  certificate.settled() ? "settled" : "NOT SETTLED", certificate.residual,
+                  certificate.intersections_body, certificate.intersections_self,
+                  terminal_line(certificate.stop_reason));
   const maps::StrainRange& range = result.studied().maps.strain_range;
   if (!range.crushed.empty() || !range.torn.empty())
     text += fmt::format("{} triangles are crushed and {} torn: read no strain there\n",
                         range.crushed.size(), range.torn.size());
-  if (certificate.left)
-    text += fmt::format(
-        "to go by the next Newton step: at most {:.4f} mm, normals {:.3f} degrees (99 % of them)\n",
-        1e3 * certificate.left->move, degrees(certificate.left->turn));
   if (certificate.stable == false) text += "NOT STABLE: at rest on a saddle of the energy\n";
   if (!certificate.worn())
     text += fmt::format("NOT WORN: {}\n", terminal_line(join(certificate.worn_reasons, "; ")));

@@ -120,11 +120,6 @@ std::string certificate_section(const pipeline::CaseResult& result) {
   }
   // The numbers behind it; crossings between garments only when there are several.
   std::string facts =
-      (c.settled() ? fact("grade", "grade", solver::name(c.grade())) : "") +
-      (c.left
-           ? fact("left to go", "left-to-go",
-                  number(1e3 * c.left->move, 2) + " mm, " + number(degrees(c.left->turn), 2) + "°")
-           : "") +
       fact("residual ‖F‖/‖W‖", "residual", number(c.residual, 3)) +
       fact("largest on one particle", "residual-max", number(c.residual_max, 3)) +
       fact("crossings with the body", "crossings", count_text(c.intersections_body)) +

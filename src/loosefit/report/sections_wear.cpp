@@ -16,7 +16,7 @@ double seconds_of(const pipeline::CaseResult& result) {
 std::vector<std::string> row(const std::string& name, const pipeline::StateId& id,
                              const drape::Certificate& c, double seconds) {
   return {name, std::to_string(id.donning + 1),
-          c.holds()     ? std::string("settled, grade ") + solver::name(c.grade())
+          c.holds()     ? "settled"
           : c.settled() ? "not worn"
                         : "not settled",
           number(c.residual, 2), fixed(seconds, 1)};

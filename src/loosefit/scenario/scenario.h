@@ -67,13 +67,13 @@ struct ScenarioSimulation {
   std::uint64_t seed = 1;
   int repeats = 1;                ///< drapes from perturbed starts: folds are not unique
   double start_perturbation = 0;  ///< rms shift of the dressed start [m]
-  /// These five as in DrapeOptions, which has the defaults.
+  /// These four as in DrapeOptions, which has the defaults.
   double residual_tolerance = drape::DrapeOptions{}.residual_tolerance;
-  solver::RestGrade certificate = solver::RestGrade::a;  ///< grade that is enough
   double gravity = drape::DrapeOptions{}.gravity;
   double time_budget = drape::DrapeOptions{}.time_budget;
   int max_iterations = drape::DrapeOptions{}.max_iterations;
-  int threads = 0;  ///< 0 = all cores; results do not depend on it
+  int threads = 0;                 ///< 0 = all cores; results do not depend on it
+  std::vector<std::string> notes;  ///< said to the user: keys of earlier files without effect
 };
 
 /// [output]

@@ -18,9 +18,6 @@ struct SettleOptions {
   /// Matrix of the Newton steps of the quasi-static integrator: changes the way and its cost, not
   /// the equilibrium. The plate tangent takes over when the hinge tangent finds no descent.
   particles::BendingTangent tangent = particles::BendingTangent::plate;
-  /// Asked where friction has just been renewed, with the residual there: true ends settling as
-  /// converged. May set another tangent. Of the quasi-static integrator only.
-  std::function<bool(double)> near_enough = {};
   /// Called about once per iteration with (iteration, residual); true asks to stop.
   std::function<bool(int, double)> watch;
 

@@ -47,15 +47,13 @@ class QuasiStatic : public Integrator {
           check_convergence(system_, method_->gradient(x), options.goal(), outcome);
       outcome.work = method_->work();
       if (is_over) return outcome;
-      if (options.near_enough && is_near_enough(outcome.residual, options))
-        return end(SettleOutcome::Reason::converged);
       if (outcome.work.iterations >= options.max_iterations)
         return end(SettleOutcome::Reason::iteration_limit);
       detect_cycle(outcome);
       choose_friction_interval(outcome);
       const Round round = minimise(x, options, outcome);
       if (round.stopped) return end(SettleOutcome::Reason::stopped);
-      if (stalls_ == tuning_.stalls_to_plate) set_tangent(particles::BendingTangent::plate);
+      if (stalls_ == tuning_.stalls_to_plate) system_.set_tangent(particles::BendingTangent::plate);
       choose_pseudo_step(round);
       if (detect_stall(round)) return end(SettleOutcome::Reason::stuck);
     }
@@ -70,20 +68,8 @@ class QuasiStatic : public Integrator {
     newton_per_step_ = tuning_.newton_per_step;
     stalls_ = 0;
     static_progress_ = recent_progress_ = {};
-    set_tangent(options.tangent);
+    system_.set_tangent(options.tangent);
     method_->begin_step(x, dt_);
-  }
-
-  void set_tangent(particles::BendingTangent tangent) {
-    tangent_ = tangent;
-    system_.set_tangent(tangent);
-  }
-
-  /// Leaves everything as it was, so that the way goes on as if nobody had asked.
-  bool is_near_enough(double residual, const SettleOptions& options) {
-    const bool enough = options.near_enough(residual);
-    system_.set_tangent(tangent_);
-    return enough;
   }
 
   /// Contact sets, normal forces and anchors of the present place.
@@ -157,11 +143,10 @@ class QuasiStatic : public Integrator {
   const ParticleSystem& system_;
   QuasiStaticTuning tuning_;
   std::unique_ptr<DescentMethod> method_;
-  double dt_ = 0;            ///< pseudo-time step [s]
-  double growth_ = 1;        ///< of dt_ after steps that were taken whole
-  int newton_per_step_ = 0;  ///< until friction is renewed
-  int stalls_ = 0;           ///< rounds in a row without a step
-  particles::BendingTangent tangent_ = particles::BendingTangent::plate;
+  double dt_ = 0;             ///< pseudo-time step [s]
+  double growth_ = 1;         ///< of dt_ after steps that were taken whole
+  int newton_per_step_ = 0;   ///< until friction is renewed
+  int stalls_ = 0;            ///< rounds in a row without a step
   Progress static_progress_;  ///< of the static iterations
   Progress recent_progress_;  ///< since friction was last renewed less often
 };

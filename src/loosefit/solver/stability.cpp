@@ -32,14 +32,6 @@ class ShiftedHessian {
     clear_held(y);
     return y;
   }
-  /// (H + shift M)⁻¹ f of the last factor. \pre factorise returned true
-  particles::VectorField solve(particles::VectorField f) const {
-    particles::VectorField y;
-    clear_held(f);
-    cholesky_.solve(f, y);
-    clear_held(y);
-    return y;
-  }
   /// v·Hv / v·Mv [1/s²].
   double curvature(const particles::VectorField& v) const {
     particles::VectorField product(v.size(), Vec3::Zero());
@@ -102,16 +94,6 @@ bool hold_barely(ShiftedHessian& hessian, const StabilityTuning& tuning) {
 bool is_stable(const ParticleSystem& system, const particles::VectorField& x,
                const StabilityTuning& tuning) {
   return ShiftedHessian(system, x).factorise(tuning.neutral);
-}
-
-std::optional<particles::VectorField> step_to_rest(const ParticleSystem& system,
-                                                   const particles::VectorField& x,
-                                                   const StabilityTuning& tuning) {
-  ShiftedHessian hessian(system, x);
-  if (!hessian.factorise(tuning.neutral)) return std::nullopt;
-  particles::VectorField force = system.gradient(x);
-  for (Vec3& f : force) f = -f;
-  return hessian.solve(force);
 }
 
 std::optional<UnstableMode> lowest_unstable_mode(const ParticleSystem& system,

@@ -36,13 +36,6 @@ struct UnstableMode {
 bool is_stable(const ParticleSystem& system, const particles::VectorField& x,
                const StabilityTuning& tuning = {});
 
-/// The Newton step −H⁻¹ ∂Π/∂x with the exact Hessian at x, whole, held particles at rest [m]: how
-/// far the equilibrium is away as far as the energy is quadratic. Nothing where x is not stable.
-/// Lagged state as is_stable. Leaves the plate tangent set. One factorisation.
-std::optional<particles::VectorField> step_to_rest(const ParticleSystem& system,
-                                                   const particles::VectorField& x,
-                                                   const StabilityTuning& tuning = {});
-
 /// The mode of lowest curvature where the equilibrium at x is not stable, by inverse iteration on
 /// the shifted Hessian (Parlett 1998, ch. 4); nothing where it is stable, or where no shift makes
 /// it definite. Deterministic.

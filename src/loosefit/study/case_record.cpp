@@ -87,7 +87,6 @@ Json result_json(const CaseRecord& r) {
                {"address", r.address},
                {"status", name(r.status)},
                {"reason", r.reason},
-               {"grade", r.grade},
                {"residual", number_or_null(r.residual)},
                {"vertices", r.vertices},
                {"triangles", r.triangles},
@@ -107,11 +106,6 @@ Json result_json(const CaseRecord& r) {
                 {{"seconds", number_or_null(r.execution.seconds)},
                  {"peak_memory_mb", number_or_null(r.execution.peak_memory_mb)},
                  {"host", r.execution.host}}}};
-  if (r.control.ran)
-    json["control"] = {{"failed", r.control.failed}, {"largest", numbers(r.control.largest)}};
-  if (const auto& scores = r.control.scores)
-    json["control"]["scores"] = {
-        {"kept", scores->kept}, {"lost", scores->lost}, {"gained", scores->gained}};
   for (const auto& [array, values] : r.maps) json["maps"][array] = numbers(values);
   for (const SiteRecord& s : r.sites) json["sites"].push_back(site_json(s));
   for (const SampleRecord& s : r.samples) json["samples"].push_back(sample_json(s));
@@ -130,17 +124,7 @@ CaseRecord result_of(const Json& j) {
   r.address = j.at("address");
   r.status = status_of(j.at("status"));
   r.reason = j.at("reason");
-  r.grade = j.at("grade");
   r.residual = number_or_null(j.at("residual"));
-  if (j.contains("control")) {
-    r.control.ran = true;
-    r.control.failed = j.at("control").at("failed");
-    r.control.largest = numbers(j.at("control").at("largest"));
-    if (j.at("control").contains("scores")) {
-      const Json& scores = j.at("control").at("scores");
-      r.control.scores = {scores.at("kept"), scores.at("lost"), scores.at("gained")};
-    }
-  }
   r.vertices = j.at("vertices");
   r.triangles = j.at("triangles");
   r.drapes_asked = j.at("drapes_asked");

@@ -40,21 +40,6 @@ enum class CaseStatus {
 };
 const char* name(CaseStatus status);
 
-/// Samples of a control by whether they have a score: at both grades, at grade B alone, at grade A
-/// alone.
-struct ScoreChanges {
-  int kept = 0, lost = 0, gained = 0;
-};
-
-/// A case that was content with grade B, run once more to grade A (controls.h).
-struct Control {
-  bool ran = false;
-  std::string failed;  ///< why it came to no result at grade A; empty: it did
-  /// Greatest difference of each metric, of any site, donning and modality, and of "score".
-  std::map<std::string, double> largest;
-  std::optional<ScoreChanges> scores = {};  ///< not of results that earlier programs wrote
-};
-
 /// What has no influence on results.
 struct Execution {
   double seconds = 0;
@@ -65,10 +50,8 @@ struct Execution {
 struct CaseRecord {
   std::string address;
   CaseStatus status = CaseStatus::failed;
-  std::string reason;       ///< of sealed and failed cases
-  std::string grade = "A";  ///< of the certificate; empty without one
+  std::string reason;  ///< of sealed and failed cases
   double residual = kNotKnown;
-  Control control;
   int vertices = 0, triangles = 0;
   int drapes_asked = 0, drapes_counted = 0;  ///< states: postures × donnings
   std::vector<std::string> left_out;         ///< states that do not count, and why

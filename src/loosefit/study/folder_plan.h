@@ -1,7 +1,6 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -34,7 +33,6 @@ struct FolderPlan {
   std::vector<std::string> not_at;
   std::vector<Axis> axes;  ///< without patches and keys
   std::vector<FolderCase> cases;
-  std::set<std::string> controls;  ///< addresses of cases that also go on to grade A (controls.h)
 };
 
 /// Names of the scorecards, wherever their files are.

@@ -21,7 +21,7 @@ Gallery make_gallery(const StudyFolder& folder, const FolderPlan& plan, Progress
     const std::filesystem::path output = folder.case_folder(one.address) / "output";
     std::error_code error;
     if (!std::filesystem::exists(output / "drape.vtp", error)) continue;
-    const auto record = folder.record(plan, one.address);
+    const auto record = folder.record(one.address);
     if (!record || record->status != CaseStatus::done) continue;
     if (!shown.insert(one.address).second) continue;
     if (static_cast<int>(shown.size()) > kMostPictures) break;

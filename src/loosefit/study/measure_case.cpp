@@ -94,19 +94,6 @@ placement::Scorecard tellable(const placement::Scorecard& card, bool several_pos
   return part;
 }
 
-namespace {
-
-/// Of all drapes that count.
-const char* lowest_grade(const pipeline::CaseResult& result) {
-  solver::RestGrade lowest = result.certificate().grade();
-  for (const pipeline::CaseState& state : result.wear.states)
-    if (state.counts() && state.certificate().grade() == solver::RestGrade::b)
-      lowest = solver::RestGrade::b;
-  return solver::name(lowest);
-}
-
-}  // namespace
-
 CaseRecord measure_case(const pipeline::CaseResult& result,
                         const std::vector<placement::Scorecard>& scorecards) {
   CaseRecord record;
@@ -116,7 +103,6 @@ CaseRecord measure_case(const pipeline::CaseResult& result,
     record.reason = "not settled: " + certificate.stop_reason;
   else if (!certificate.worn())
     record.reason = "not worn: " + join(certificate.worn_reasons, "; ");
-  record.grade = certificate.settled() ? lowest_grade(result) : "";
   record.residual = certificate.residual;
   record.vertices = static_cast<int>(result.studied().mesh().vertex_count);
   record.triangles = static_cast<int>(result.studied().mesh().triangles.size());

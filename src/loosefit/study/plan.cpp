@@ -23,7 +23,6 @@
 #include "loosefit/placement/resample.h"
 #include "loosefit/placement/site_points.h"
 #include "loosefit/study/config_patch.h"
-#include "loosefit/study/controls.h"
 #include "loosefit/study/draws.h"
 
 namespace loosefit::study {
@@ -422,7 +421,8 @@ Plan make_plan(const StudyFile& study) {
       one.wearing = wearing_digest(scenario);
       one.several_postures = scenario.postures.size() > 1;
       one.several_donnings = scenario.donning.repeats > 1;
-      one.grade_b = scenario.simulation.certificate == solver::RestGrade::b;
+      for (const std::string& note : scenario.simulation.notes)
+        plan.notes.insert("simulation: " + note);
       for (const placement::SiteSpec& site : scenario.sites) sites.insert(site.name);
       presets |= scenario.output.preset_sites;
     } catch (const InvalidInput& error) {
@@ -450,17 +450,9 @@ double estimated_core_seconds(const PlannedCase& one) {
 
 }  // namespace
 
-std::vector<std::string> control_addresses(const Plan& plan) {
-  std::vector<std::string> of_grade_b;
-  for (const PlannedCase& one : plan.cases)
-    if (one.grade_b) of_grade_b.push_back(one.address);
-  return control_addresses(of_grade_b);
-}
-
 std::map<std::string, double> estimated_work(const Plan& plan) {
   std::map<std::string, double> work;
   for (const PlannedCase& one : plan.cases) work[one.address] = estimated_core_seconds(one);
-  for (const std::string& control : control_addresses(plan)) work[control] *= 2;
   return work;
 }
 

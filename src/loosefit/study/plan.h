@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,6 @@ struct PlannedCase {
   std::string toml;                 ///< the resolved scenario
   int drapes = 1;                   ///< postures × donnings (or repeats)
   double edge_length = 0;           ///< [m]
-  bool grade_b = false;             ///< is content with certificate grade B
   std::optional<double> looseness;  ///< BGM on the axis of looseness; nothing without one
   std::string wearer;               ///< digest of whose body it is, whatever the posture
   std::string wearing;  ///< digest of reference posture, postures and history of putting on
@@ -29,6 +29,7 @@ struct Plan {
   StudyFile study;  ///< its axes with the levels that were drawn
   std::vector<PlannedCase> cases;
   std::vector<std::string> cards;  ///< texts of the scorecards, one for each modality
+  std::set<std::string> notes;     ///< on keys of scenarios that have no effect any more
   int drapes() const;
   std::string label(const PlannedCase& one) const;  ///< "person 3, fit 0.16"
 };
@@ -69,12 +70,8 @@ int same_as_others(const Plan& plan);
 /// Drapes that a scenario asks for: postures times donnings or repeats.
 int drapes_of(const scenario::Scenario& scenario);
 
-/// Addresses of the cases that also go on to grade A (control_addresses of those content with B).
-std::vector<std::string> control_addresses(const Plan& plan);
-
 /// Core seconds of each case by its address, by figures measured on an x86-64 core of 2.5 GHz
-/// (docs/scaling.md); within a factor of two for shirts. A control runs twice; cases of one address
-/// run once.
+/// (docs/scaling.md); within a factor of two for shirts. Cases of one address run once.
 std::map<std::string, double> estimated_work(const Plan& plan);
 
 }  // namespace loosefit::study

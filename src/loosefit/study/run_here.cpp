@@ -41,26 +41,18 @@ std::string last_line(const std::string& text) {
   return end == std::string::npos ? text : text.substr(end + 1);
 }
 
-/// The crash as the result of its case, or of its control where the case itself has come to an end.
+/// The crash as the result of its case.
 void record_crash(const StudyFolder& folder, const std::string& address, const std::string& how) {
-  const std::string reason = "the program crashed " + std::to_string(kCrashes) + " times: " + how;
   CaseRecord record;
-  if (const auto before = folder.record(address)) {
-    record = *before;
-    record.control = {true, reason, {}};
-  } else {
-    record.address = address;
-    record.reason = reason;
-    record.grade.clear();
-    record.versions = versions();
-  }
+  record.address = address;
+  record.reason = "the program crashed " + std::to_string(kCrashes) + " times: " + how;
+  record.versions = versions();
   write_whole(folder.result_file(address), record_json(record));
 }
 
 }  // namespace
 
-std::vector<GivenUp> run_here(const StudyFolder& folder, const FolderPlan& plan,
-                              const std::vector<std::string>& addresses,
+std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::string>& addresses,
                               const RunnerOptions& options, const ResultSeen& seen,
                               Progress& progress) {
   const std::size_t jobs =
@@ -95,7 +87,7 @@ std::vector<GivenUp> run_here(const StudyFolder& folder, const FolderPlan& plan,
       ended = true;
       const std::string address = worker->address;
       worker = working.erase(worker);
-      if (const auto record = folder.record(plan, address)) {
+      if (const auto record = folder.record(address)) {
         // Also of a worker that was killed just after it had written.
         seen(*record);
         continue;
@@ -115,7 +107,7 @@ std::vector<GivenUp> run_here(const StudyFolder& folder, const FolderPlan& plan,
         waiting.push_back(address);
       } else {
         record_crash(folder, address, signal_name(end->signal));
-        seen(*folder.record(plan, address));
+        seen(*folder.record(address));
       }
     }
     if (!ended) usleep(kPause);

@@ -12,8 +12,7 @@ namespace loosefit::study {
 /// stays open. Results appear whole or not at all, so whatever ends this process, another run takes
 /// up where it was. \throws IoError when a worker could not write or start, once the others have
 /// ended; Cancelled.
-std::vector<GivenUp> run_here(const StudyFolder& folder, const FolderPlan& plan,
-                              const std::vector<std::string>& addresses,
+std::vector<GivenUp> run_here(const StudyFolder& folder, const std::vector<std::string>& addresses,
                               const RunnerOptions& options, const ResultSeen& seen,
                               Progress& progress);
 

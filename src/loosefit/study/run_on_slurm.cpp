@@ -41,9 +41,9 @@ std::string quoted(const std::string& text) {
 
 class SlurmArrays {
  public:
-  SlurmArrays(const StudyFolder& folder, const FolderPlan& plan, const RunnerOptions& options,
-              const ResultSeen& seen, Progress& progress)
-      : folder_(folder), plan_(plan), options_(options), seen_(seen), progress_(progress) {
+  SlurmArrays(const StudyFolder& folder, const RunnerOptions& options, const ResultSeen& seen,
+              Progress& progress)
+      : folder_(folder), options_(options), seen_(seen), progress_(progress) {
     std::error_code error;
     fs::create_directories(place(), error);
     if (error) throw IoError(place().string() + ": cannot be made: " + error.message());
@@ -150,14 +150,13 @@ class SlurmArrays {
 
   void look() {
     std::erase_if(open_, [&](const std::string& address) {
-      const auto record = folder_.record(plan_, address);
+      const auto record = folder_.record(address);
       if (record) seen_(*record);
       return record.has_value();
     });
   }
 
   const StudyFolder& folder_;
-  const FolderPlan& plan_;
   const RunnerOptions& options_;
   const ResultSeen& seen_;
   Progress& progress_;
@@ -168,11 +167,11 @@ class SlurmArrays {
 
 }  // namespace
 
-std::vector<GivenUp> run_on_slurm(const StudyFolder& folder, const FolderPlan& plan,
+std::vector<GivenUp> run_on_slurm(const StudyFolder& folder,
                                   const std::vector<std::string>& addresses,
                                   const RunnerOptions& options, const ResultSeen& seen,
                                   Progress& progress) {
-  return SlurmArrays(folder, plan, options, seen, progress).run(addresses);
+  return SlurmArrays(folder, options, seen, progress).run(addresses);
 }
 
 std::vector<std::string> read_bundle(const std::string& file, int index) {

@@ -10,7 +10,7 @@ namespace loosefit::study {
 /// submitted again while every third round yields a result. A job that an earlier runner has left
 /// in the queue is waited for first. \throws IoError when Slurm cannot be asked; Cancelled, with
 /// the job cancelled.
-std::vector<GivenUp> run_on_slurm(const StudyFolder& folder, const FolderPlan& plan,
+std::vector<GivenUp> run_on_slurm(const StudyFolder& folder,
                                   const std::vector<std::string>& addresses,
                                   const RunnerOptions& options, const ResultSeen& seen,
                                   Progress& progress);

@@ -97,9 +97,8 @@ StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOpti
       ++run.ran;
       forecast.finished(record, progress);
     };
-    run.given_up =
-        slurm ? run_on_slurm(folder, planned, open, options, seen, progress)
-              : run_here(folder, planned, longest_first(plan, open), options, seen, progress);
+    run.given_up = slurm ? run_on_slurm(folder, open, options, seen, progress)
+                         : run_here(folder, longest_first(plan, open), options, seen, progress);
   }
   run.state = folder.state(planned);
   run.seconds = seconds_since(start);

@@ -32,8 +32,8 @@ struct RunHooks {
 StudyRun run_study(const Plan& plan, const StudyFolder& folder, const RunnerOptions& options,
                    bool slurm, bool retry_failed, Progress& progress, const RunHooks& hooks = {});
 
-/// These cases, those with the most estimated work first and controls counted twice, so that no
-/// worker is left with a long one at the end (Graham 1969); in the order given where that is equal.
+/// These cases, those with the most estimated work first, so that no worker is left with a long one
+/// at the end (Graham 1969); in the order given where that is equal.
 std::vector<std::string> longest_first(const Plan& plan, std::vector<std::string> addresses);
 
 /// "3 min", "2 h 10 min", "40 s"

@@ -24,7 +24,7 @@ CREATE TABLE IF NOT EXISTS study (key TEXT PRIMARY KEY, value TEXT NOT NULL) WIT
 CREATE TABLE IF NOT EXISTS axes (axis TEXT NOT NULL, position INTEGER NOT NULL, kind TEXT NOT NULL,
   sampled INTEGER NOT NULL, PRIMARY KEY (axis)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS cases (number INTEGER PRIMARY KEY, address TEXT NOT NULL,
-  status TEXT NOT NULL, reason TEXT, grade TEXT, residual REAL, vertices INTEGER,
+  status TEXT NOT NULL, reason TEXT, residual REAL, vertices INTEGER,
   triangles INTEGER, drapes INTEGER NOT NULL, drapes_counted INTEGER, edge_length_m REAL);
 CREATE INDEX IF NOT EXISTS cases_by_address ON cases (address);
 CREATE TABLE IF NOT EXISTS levels (number INTEGER NOT NULL, axis TEXT NOT NULL,
@@ -49,10 +49,6 @@ CREATE TABLE IF NOT EXISTS samples (number INTEGER NOT NULL, modality TEXT NOT N
 CREATE TABLE IF NOT EXISTS metrics (number INTEGER NOT NULL, modality TEXT NOT NULL,
   site TEXT NOT NULL, donning INTEGER NOT NULL, metric TEXT NOT NULL, value REAL,
   PRIMARY KEY (number, modality, site, donning, metric)) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS controls (number INTEGER NOT NULL, metric TEXT NOT NULL,
-  largest REAL, PRIMARY KEY (number, metric)) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS control_scores (number INTEGER PRIMARY KEY, kept INTEGER NOT NULL,
-  lost INTEGER NOT NULL, gained INTEGER NOT NULL);
 CREATE TABLE IF NOT EXISTS notes (number INTEGER NOT NULL, kind TEXT NOT NULL,
   position INTEGER NOT NULL, text TEXT NOT NULL, PRIMARY KEY (number, kind, position)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS versions (number INTEGER NOT NULL, library TEXT NOT NULL,
@@ -63,30 +59,17 @@ CREATE TABLE IF NOT EXISTS execution (number INTEGER PRIMARY KEY, seconds REAL,
 
 /// Those that hold what a case has yielded, with its number.
 const std::vector<std::string>& result_tables() {
-  static const std::vector<std::string> kNames = {
-      "body",    "fit",      "garment",        "maps",  "sites",    "samples",
-      "metrics", "controls", "control_scores", "notes", "versions", "execution"};
+  static const std::vector<std::string> kNames = {"body",     "fit",      "garment", "maps",
+                                                  "sites",    "samples",  "metrics", "notes",
+                                                  "versions", "execution"};
   return kNames;
 }
 
-constexpr const char* kOpen = "open";            ///< status of a case that has not run
-constexpr const char* kControlNote = "control";  ///< kind: why a control came to no result
+constexpr const char* kOpen = "open";  ///< status of a case that has not run
 
 void forget_results(const Database& database, int number) {
   for (const std::string& table : result_tables())
     database.prepare("DELETE FROM " + table + " WHERE number = ?1").bind(1, number).run();
-}
-
-/// Of a case that is no control any more.
-void forget_control(const Database& database, int number) {
-  for (const char* table : {"controls", "control_scores"})
-    database.prepare(std::string("DELETE FROM ") + table + " WHERE number = ?1")
-        .bind(1, number)
-        .run();
-  database.prepare("DELETE FROM notes WHERE number = ?1 AND kind = ?2")
-      .bind(1, number)
-      .bind(2, std::string(kControlNote))
-      .run();
 }
 
 void put_pairs(const Database& database, const std::string& sql, int number,
@@ -100,28 +83,19 @@ void put_record(const Database& database, int number, const CaseRecord& r) {
   forget_results(database, number);
   database
       .prepare(
-          "UPDATE cases SET status = ?2, reason = ?3, grade = ?4, residual = ?5, "
-          "vertices = ?6, triangles = ?7, drapes_counted = ?8 WHERE number = ?1")
+          "UPDATE cases SET status = ?2, reason = ?3, residual = ?4, vertices = ?5, "
+          "triangles = ?6, drapes_counted = ?7 WHERE number = ?1")
       .bind(1, number)
       .bind(2, std::string(name(r.status)))
       .bind(3, r.reason)
-      .bind(4, r.grade)
-      .bind(5, r.residual)
-      .bind(6, r.vertices)
-      .bind(7, r.triangles)
-      .bind(8, r.drapes_counted)
+      .bind(4, r.residual)
+      .bind(5, r.vertices)
+      .bind(6, r.triangles)
+      .bind(7, r.drapes_counted)
       .run();
   put_pairs(database, "INSERT INTO body VALUES (?1, ?2, ?3)", number, r.body);
   put_pairs(database, "INSERT INTO fit VALUES (?1, ?2, ?3)", number, r.fit);
   put_pairs(database, "INSERT INTO garment VALUES (?1, ?2, ?3)", number, r.garment);
-  put_pairs(database, "INSERT INTO controls VALUES (?1, ?2, ?3)", number, r.control.largest);
-  if (const auto& scores = r.control.scores)
-    database.prepare("INSERT INTO control_scores VALUES (?1, ?2, ?3, ?4)")
-        .bind(1, number)
-        .bind(2, scores->kept)
-        .bind(3, scores->lost)
-        .bind(4, scores->gained)
-        .run();
   Statement maps = database.prepare("INSERT INTO maps VALUES (?1, ?2, ?3, ?4)");
   for (const auto& [array, values] : r.maps)
     for (const auto& [statistic, value] : values)
@@ -172,7 +146,6 @@ void put_record(const Database& database, int number, const CaseRecord& r) {
   };
   note("left out", r.left_out);
   note("warning", r.warnings);
-  if (!r.control.failed.empty()) note(kControlNote, {r.control.failed});
   for (const auto& [modality, criteria] : r.untold) note("not told of " + modality, criteria);
   Statement versions = database.prepare("INSERT INTO versions VALUES (?1, ?2, ?3)");
   for (const auto& [library, version] : r.versions)
@@ -233,9 +206,8 @@ std::string rows_text(const Database& database, const std::string& table) {
 
 const std::vector<std::string>& table_names() {
   static const std::vector<std::string> kNames = {
-      "study",    "axes",           "cases", "levels",   "inputs",   "body",
-      "fit",      "garment",        "maps",  "sites",    "samples",  "metrics",
-      "controls", "control_scores", "notes", "versions", "execution"};
+      "study", "axes",  "cases",   "levels",  "inputs", "body",     "fit",      "garment",
+      "maps",  "sites", "samples", "metrics", "notes",  "versions", "execution"};
   return kNames;
 }
 
@@ -270,8 +242,6 @@ void Store::put_plan(const FolderPlan& plan) {
           .bind(4, one.drapes)
           .bind(5, one.edge_length)
           .run();
-    } else if (!plan.controls.count(one.address)) {
-      forget_control(database_, one.number);
     }
     for (std::size_t k = 0; k < plan.axes.size(); ++k) {
       const AxisLevel& at = plan.axes[k].levels[one.levels[k]];
@@ -311,7 +281,7 @@ void Store::forget(const std::string& address) {
     forget_results(database_, number);
     database_
         .prepare(
-            "UPDATE cases SET status = ?2, reason = NULL, grade = NULL, residual = NULL, "
+            "UPDATE cases SET status = ?2, reason = NULL, residual = NULL, "
             "vertices = NULL, triangles = NULL, drapes_counted = NULL WHERE number = ?1")
         .bind(1, number)
         .bind(2, std::string(kOpen))
@@ -335,9 +305,8 @@ void bring_up(Store& store, const StudyFolder& folder, const FolderPlan& plan) {
   std::set<std::string> in(listed.begin(), listed.end()), seen;
   for (const FolderCase& one : plan.cases) {
     if (!seen.insert(one.address).second) continue;
-    const std::optional<CaseRecord> record = folder.record(plan, one.address);
-    // A control may have been taken in when it was none.
-    if (record && (!in.count(one.address) || record->control.ran)) store.put(plan, *record);
+    const std::optional<CaseRecord> record = folder.record(one.address);
+    if (record && !in.count(one.address)) store.put(plan, *record);
     if (!record && in.count(one.address)) store.forget(one.address);
   }
 }

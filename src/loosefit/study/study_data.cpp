@@ -141,21 +141,15 @@ class Collector {
     for (std::size_t k = 0; k < data_.plan.axes.size(); ++k)
       for (const auto& [name, value] : data_.plan.axes[k].levels[one.levels[k]].inputs)
         data_.inputs[c][name] = value;
-    const std::optional<CaseRecord> record = folder_.record(data_.plan, one.address);
+    const std::optional<CaseRecord> record = folder_.record(one.address);
     if (!record) {
-      const bool control = data_.plan.controls.count(one.address) && folder_.record(one.address);
-      data_.troubles.push_back(
-          {one.number, label(data_.plan, one), "open",
-           control ? "a control that has not gone on to grade A yet" : "not run yet"});
+      data_.troubles.push_back({one.number, label(data_.plan, one), "open", "not run yet"});
       return;
     }
     ++data_.ran;
     data_.warnings[c] = record->warnings;
-    data_.grade_b += record->grade == "B";
-    if (counted_.insert(one.address).second) {  // it ran once, whatever its numbers
+    if (counted_.insert(one.address).second)  // it ran once, whatever its numbers
       data_.core_seconds += record->execution.seconds;
-      study::add(record->control, data_.controls);
-    }
     data_.drapes_counted += record->drapes_counted;
     if (record->status != CaseStatus::done) {
       data_.troubles.push_back(

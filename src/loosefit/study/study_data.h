@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "loosefit/study/controls.h"
 #include "loosefit/study/study_folder.h"
 
 namespace loosefit::study {
@@ -47,8 +46,6 @@ struct StudyData {
   int done = 0;                                    ///< cases at rest and worn
   int scored = 0;           ///< cases of which a sample is rated, by any modality
   double core_seconds = 0;  ///< that they have taken, those that are the same scenario once
-  int grade_b = 0;          ///< cases with a drape of certificate grade B
-  ControlSummary controls;  ///< likewise once
   int drapes = 0, drapes_counted = 0;
 };
 

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "loosefit/base/control_characters.h"
 #include "loosefit/base/error.h"
@@ -73,17 +72,6 @@ std::optional<double> optional_number(const Json& json, const char* key) {
   return found->get<double>();
 }
 
-/// The controls of a plan that does not name them, as of programs that wrote them beside it: an
-/// address on each line.
-std::set<std::string> controls_beside(const fs::path& folder) {
-  const fs::path file = folder / "controls.txt";
-  if (!io::is_there(file)) return {};
-  std::istringstream lines(io::read_text_file(file.string(), kLargestPlan));
-  std::set<std::string> controls;
-  for (std::string address; lines >> address;) controls.insert(address);
-  return controls;
-}
-
 Json plan_json(const Plan& plan) {
   const StudyFile& study = plan.study;
   Json json = {{"format", kFormat},
@@ -98,7 +86,6 @@ Json plan_json(const Plan& plan) {
                {"sensors", study.sensors},
                {"spacing", study.spacing},
                {"not_at", study.not_at},
-               {"controls", control_addresses(plan)},
                {"axes", Json::array()},
                {"cases", Json::array()}};
   for (const Axis& axis : study.axes) json["axes"].push_back(axis_json(axis));
@@ -328,8 +315,6 @@ FolderPlan StudyFolder::read_plan() const {
     plan.sensors = json.at("sensors");
     plan.spacing = json.at("spacing");
     plan.not_at = json.at("not_at").get<std::vector<std::string>>();
-    plan.controls = json.contains("controls") ? json.at("controls").get<std::set<std::string>>()
-                                              : controls_beside(path_);
     for (const Json& axis : json.at("axes")) plan.axes.push_back(axis_of(axis));
     for (const Json& j : json.at("cases"))
       plan.cases.push_back({j.at("number"), j.at("levels").get<std::vector<int>>(), j.at("address"),
@@ -350,16 +335,6 @@ std::optional<CaseRecord> StudyFolder::record(const std::string& address) const 
   return read_record(result_file(address), address);
 }
 
-std::optional<CaseRecord> StudyFolder::record(const FolderPlan& plan,
-                                              const std::string& address) const {
-  std::optional<CaseRecord> found = record(address);
-  if (!found || found->status != CaseStatus::done) return found;
-  const bool control = plan.controls.count(address) > 0;
-  if (control && !found->control.ran) return {};
-  if (!control) found->control = {};
-  return found;
-}
-
 FolderState StudyFolder::state(const FolderPlan& plan) const {
   struct Seen {
     std::optional<CaseStatus> status;
@@ -371,7 +346,7 @@ FolderState StudyFolder::state(const FolderPlan& plan) const {
     auto [known, is_new] = all.try_emplace(one.address);
     Seen& seen = known->second;
     if (is_new) {
-      if (const auto found = record(plan, one.address))
+      if (const auto found = record(one.address))
         seen = {found->status, is_scored(*found)};
       else
         state.open.push_back(one.address);
@@ -389,18 +364,12 @@ FolderState StudyFolder::state(const FolderPlan& plan) const {
 int StudyFolder::forget_failed(const FolderPlan& plan) const {
   int forgotten = 0;
   for (const FolderCase& one : plan.cases) {
-    std::optional<CaseRecord> found = record(one.address);
-    if (!found) continue;
+    const std::optional<CaseRecord> found = record(one.address);
+    if (!found || found->status != CaseStatus::failed) continue;
     const fs::path file = result_file(one.address);
-    if (found->status == CaseStatus::failed) {
-      std::error_code error;
-      if (!fs::remove(file, error)) throw IoError(file.string() + ": cannot be removed");
-      ++forgotten;
-    } else if (plan.controls.count(one.address) && !found->control.failed.empty()) {
-      found->control = {};  // the case itself stays
-      write_whole(file, record_json(*found));
-      ++forgotten;
-    }
+    std::error_code error;
+    if (!fs::remove(file, error)) throw IoError(file.string() + ": cannot be removed");
+    ++forgotten;
   }
   return forgotten;
 }

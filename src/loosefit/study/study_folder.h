@@ -13,8 +13,8 @@
 // The folder of a study:
 //
 //   study.toml                the study file as it was
-//   plan.json                 axes with their levels, the cases in their order, which of them are
-//                             controls, and the scorecards as they were
+//   plan.json                 axes with their levels, the cases in their order, and the scorecards
+//                             as they were
 //   cases/ab/<address>/       scenario.toml, and result.json once the case has run
 //   study.sqlite              everything in tables (store.h), made from the above
 //   study-report.html, …      what is made from that
@@ -56,13 +56,9 @@ class StudyFolder {
   FolderPlan read_plan() const;
   /// The record of a case as it lies there; nothing when it has not run.
   std::optional<CaseRecord> record(const std::string& address) const;
-  /// The same as this plan asks for it, whatever has run here for other plans: a control that has
-  /// not gone on to grade A yet is nothing, and what is no control any more has none.
-  std::optional<CaseRecord> record(const FolderPlan& plan, const std::string& address) const;
   /// Reads all results of a plan.
   FolderState state(const FolderPlan& plan) const;
-  /// Forgets the results of failed cases and of failed controls, which then run again; a case whose
-  /// control failed stays as it is. Returns how many.
+  /// Forgets the results of failed cases, which then run again. Returns how many.
   int forget_failed(const FolderPlan& plan) const;
 
  private:

@@ -207,34 +207,6 @@ std::string trouble_section(const StudyData& data) {
   return element("h2", "Failures") + table.html();
 }
 
-/// Certificate grades, and what the controls say of grade B.
-std::string grade_text(const StudyData& data) {
-  if (data.grade_b == 0) return element("p", "All cases have certificate grade A.");
-  std::string text = element(
-      "p",
-      escaped(fmt::format(
-          "{} of {} cases ended with certificate grade B: the next step of Newton's method would "
-          "move no vertex by more than 0.1 mm and turn 99 % of normals by no more than 0.2 "
-          "degrees, which is an estimate of what is left to go. {} cases were run once more to "
-          "grade A as controls{}.",
-          data.grade_b, data.done, data.controls.cases,
-          data.controls.failed > 0 ? fmt::format(", {} without coming there", data.controls.failed)
-                                   : "")));
-  const ScoreChanges& scores = data.controls.scores;
-  if (scores.kept + scores.lost + scores.gained > 0)
-    text += element(
-        "p", escaped(fmt::format("{} of {} controls count their scores: of their samples {} have a "
-                                 "score at both grades, {} lose it by going on to A and {} gain "
-                                 "one.",
-                                 data.controls.counted, data.controls.cases, scores.kept,
-                                 scores.lost, scores.gained)));
-  if (data.controls.largest.empty()) return text;
-  report::Table table({"of all controls, sites and donnings", "greatest change by going on to A"});
-  for (const auto& [metric, largest] : data.controls.largest)
-    table.add({metric_words(metric), report::number(largest, 2)});
-  return text + table.html();
-}
-
 /// What the number of people carries.
 std::string people_text(const StudyData& data) {
   const int rated = rated_units(data), all = static_cast<int>(data.units.size());
@@ -277,7 +249,6 @@ std::string method_section(const StudyAnalysis& analysis) {
                      "are no sample: there are no intervals, and sites are tied only where they "
                      "are equal.")));
   text += people_text(data);
-  text += grade_text(data);
   text += element("p", escaped(fmt::format("Cases took {} of one "
                                            "core; seed {}, design {}. Made by Loosefit {}.",
                                            duration_text(data.core_seconds), data.plan.seed,

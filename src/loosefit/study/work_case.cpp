@@ -17,7 +17,6 @@
 #include "loosefit/pipeline/run_case.h"
 #include "loosefit/report/run_into_folder.h"
 #include "loosefit/report/write_output.h"
-#include "loosefit/study/controls.h"
 #include "loosefit/study/measure_case.h"
 
 namespace loosefit::study {
@@ -58,11 +57,10 @@ pipeline::CaseResult run_keeping(const scenario::Scenario& scenario,
 }
 
 pipeline::CaseResult run(scenario::Scenario scenario, const std::filesystem::path& output,
-                         const WorkOptions& options, Progress& progress, bool to_grade_a) {
+                         const WorkOptions& options, Progress& progress) {
   scenario.simulation.threads = options.threads;
-  if (to_grade_a) scenario.simulation.certificate = solver::RestGrade::a;
-  return options.keep_output && !to_grade_a ? run_keeping(scenario, output, progress)
-                                            : pipeline::run_case(scenario, progress);
+  return options.keep_output ? run_keeping(scenario, output, progress)
+                             : pipeline::run_case(scenario, progress);
 }
 
 [[noreturn]] void refuse_for_memory(const std::string& address) {
@@ -80,7 +78,6 @@ bool lacked_memory(const pipeline::CaseResult& result) {
 CaseRecord failed(const std::string& reason) {
   CaseRecord record;
   record.reason = reason;
-  record.grade.clear();
   record.versions = versions();
   return record;
 }
@@ -89,10 +86,10 @@ CaseRecord failed(const std::string& reason) {
 CaseRecord measured(const StudyFolder& folder, const std::string& address,
                     const scenario::Scenario& scenario,
                     const std::vector<placement::Scorecard>& cards, const WorkOptions& options,
-                    Progress& progress, bool to_grade_a = false) {
+                    Progress& progress) {
   try {
     const pipeline::CaseResult result =
-        run(scenario, folder.case_folder(address) / "output", options, progress, to_grade_a);
+        run(scenario, folder.case_folder(address) / "output", options, progress);
     if (lacked_memory(result)) refuse_for_memory(address);
     const ThreadLimit threads(options.threads);
     return measure_case(result, cards);
@@ -114,14 +111,12 @@ CaseRecord measured(const StudyFolder& folder, const std::string& address,
   }
 }
 
-/// What this process has taken since `start`, on top of what processes before it have.
-void add_execution(std::chrono::steady_clock::time_point start, Execution& execution) {
-  execution.seconds +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  execution.peak_memory_mb = std::max(execution.peak_memory_mb, peak_memory_mb());
+/// What this process has taken since `start`.
+Execution execution_since(std::chrono::steady_clock::time_point start) {
   char host[256] = "";
   gethostname(host, sizeof host - 1);
-  execution.host = host;
+  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          peak_memory_mb(), host};
 }
 
 }  // namespace
@@ -133,32 +128,13 @@ CaseRecord work_case(const StudyFolder& folder, const FolderPlan& plan, const st
   scenario::Scenario scenario = io::read_scenario(folder.scenario_file(address).string());
   scenario.file = "scenario.toml";  // in messages, which are the same wherever the study lies
   check_inputs(scenario, plan, address);
-  const auto write = [&](const CaseRecord& record) {
-    check_inputs(scenario, plan, address);
-    write_whole(folder.result_file(address), record_json(record));
-  };
-  CaseRecord record;
-  // Grade A is compared with grade B of the same build: else a change of the program would be told
-  // as one of the grade.
-  const auto before = folder.record(address);
-  const bool wants_control = before && plan.controls.count(address) &&
-                             before->status == CaseStatus::done && !before->control.ran;
-  if (before && !(wants_control && of_another_build(*before))) {
-    record = *before;
-  } else {
-    const auto start = std::chrono::steady_clock::now();
-    record = measured(folder, address, scenario, cards, options, progress);
-    record.address = address;
-    add_execution(start, record.execution);
-    write(record);  // also of a control: whatever ends it, this stays
-  }
-  if (record.status == CaseStatus::done && plan.controls.count(address) && !record.control.ran) {
-    const auto start = std::chrono::steady_clock::now();
-    record.control =
-        compared(record, measured(folder, address, scenario, cards, options, progress, true));
-    add_execution(start, record.execution);
-    write(record);
-  }
+  if (const auto before = folder.record(address)) return *before;
+  const auto start = std::chrono::steady_clock::now();
+  CaseRecord record = measured(folder, address, scenario, cards, options, progress);
+  record.address = address;
+  record.execution = execution_since(start);
+  check_inputs(scenario, plan, address);
+  write_whole(folder.result_file(address), record_json(record));
   return record;
 }
 

@@ -13,11 +13,11 @@ struct WorkOptions {
   bool keep_output = false;
 };
 
-/// Runs one case of a study in this process and writes its result.json; of a control that has its
-/// result already only what is missing, the run to grade A. An error of the case is its result, not
-/// thrown. \throws IoError when the result cannot be written, there are no body data, something of
-/// others stands where its output goes, or an input is not what it was when the study was planned:
-/// nothing is recorded then; Cancelled.
+/// Runs one case of a study in this process and writes its result.json; one that has its result
+/// already does not run again. An error of the case is its result, not thrown. \throws IoError when
+/// the result cannot be written, there are no body data, something of others stands where its
+/// output goes, or an input is not what it was when the study was planned: nothing is recorded
+/// then; Cancelled.
 CaseRecord work_case(const StudyFolder& folder, const FolderPlan& plan, const std::string& address,
                      const WorkOptions& options, Progress& progress);
 

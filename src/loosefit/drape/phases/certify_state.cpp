@@ -21,8 +21,7 @@ bool better(const Certificate& a, const Certificate& b) {
 
 Certificate certified(ClothState& state, const Stop& stop) {
   return certify(*state.model, state.x, state.body->body, stop,
-                 std::max(state.options.residual_tolerance, solver::kRestTolerance),
-                 state.options.grade);
+                 std::max(state.options.residual_tolerance, solver::kRestTolerance));
 }
 
 /// Goes back to a kept state and certifies it.

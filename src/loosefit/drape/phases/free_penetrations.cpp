@@ -76,10 +76,8 @@ void settle_without_penetrations(ClothState& state, double first_dt) {
     if (state.is_over()) return;
     if (freed()) continue;
     if (wanted < state.last.residual)
-      state.settle({.tolerance = wanted,
-                    .max_iterations = kNoLimit,
-                    .first_dt = tuning.near_rest_dt,
-                    .last_of_all = true});
+      state.settle(
+          {.tolerance = wanted, .max_iterations = kNoLimit, .first_dt = tuning.near_rest_dt});
     if (state.is_over() || !freed()) return;
   }
 }
