@@ -9,7 +9,7 @@ BODIES = {
     "child-heavy": dict(sex=0.4, age=10, height=1.40, chest=0.75, waist=0.72, hip=0.80),
 }
 CHEST_FITS = (-0.05, 0.05, 0.15, 0.30, 0.45)
-REFERENCE_FIT = "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, bust_dart = 0.5 }"
+REFERENCE_FIT = "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, sleeve_follow = 0, bust_dart = 0.5 }"
 # Edge length in mm and time budget in seconds; sizes well above the goals, so that a slow case
 # still ends in a figure.
 SHIRTS = {"20": 600, "14": 600, "10": 600, "7": 900, "5": 1800, "3.5": 3600}

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "beside_python.h"
 #include "loosefit/io/scenario_place.h"
+#include "loosefit/kinds/girths_along.h"
 #include "loosefit/pattern/hole.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pipeline/case_body.h"
@@ -106,7 +107,8 @@ PatternHandle make_pattern(const scenario::Scenario& scenario, const py::object&
       const pipeline::CaseBody body = pipeline::make_body(scenario.body, &told);
       told.check_cancelled();
       told.stage("pattern");
-      pipeline::CasePattern of_case = pipeline::make_pattern(scenario.studied().spec, body.body);
+      pipeline::CasePattern of_case = pipeline::make_pattern(
+          scenario.studied().spec, body.body, kinds::girths_along(body.path(0).body()));
       made.pattern = std::make_shared<const pattern::Pattern>(std::move(of_case.pattern));
       made.levels = std::move(of_case.levels);
       made.warnings = std::move(of_case.warnings);

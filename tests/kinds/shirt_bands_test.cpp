@@ -13,6 +13,7 @@
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/kinds/shirt/shirt_levels.h"
+#include "loosefit/kinds/shirt/sleeve_ease.h"
 #include "loosefit/pattern/outline.h"
 #include "support/shirt_kind.h"
 #include "support/shirt_on_body.h"

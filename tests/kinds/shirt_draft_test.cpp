@@ -9,6 +9,7 @@
 #include "loosefit/kinds/fit_stations.h"
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_levels.h"
+#include "loosefit/kinds/shirt/sleeve_ease.h"
 #include "loosefit/pattern/outline.h"
 #include "loosefit/pattern/self_crossing.h"
 #include "support/shirt_kind.h"

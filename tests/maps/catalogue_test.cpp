@@ -116,7 +116,9 @@ TEST(MapCatalogue, LeadsWithWhatALeadFeelsAndKeepsPrincipalStrainBehindIt) {
 
 TEST(MapCatalogue, EveryMapHasAValueAtEveryVertexOfAPatchBeforeAWall) {
   const body::Body body = testing::wall_body();
-  const garment::Garment patch = testing::patch_garment(0.04, 0.01);
+  garment::Garment patch = testing::patch_garment(0.04, 0.01);
+  patch.vertex_ease_cut.assign(patch.vertex_count, 0.1);
+  patch.vertex_ease_asked.assign(patch.vertex_count, 0.08);
   const std::vector<Vec3> positions = testing::before_wall(patch, 0.02);
   const WornGarment worn = relate(patch, positions, body);
   const std::vector<double> none(patch.vertex_count, 0.0);

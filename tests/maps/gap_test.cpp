@@ -41,7 +41,7 @@ TEST(Gap, OfAConcentricTubeIsTheDifferenceOfRadiiLessHalfTheThickness) {
     return Vec3(0.11 * std::cos(a), 0.11 * std::sin(a), 0.4 + uv.y());
   });
   const auto maps = compute_maps(tube, d, body, {"gap"}, {.material = &m});
-  ASSERT_EQ(maps.size(), 2u);
+  ASSERT_EQ(maps.size(), 3u);
   EXPECT_EQ(maps[0].array, "gap_mm");
   EXPECT_EQ(maps[1].array, "contact");
   for (double gap : maps[0].values) EXPECT_NEAR(gap, 9, 0.004);
@@ -64,16 +64,24 @@ TEST(Gap, OfATiltedPlaneGrowsWithTheSineAndTouchesWhereItIsBelowTheTolerance) {
   }
 }
 
-TEST(Gap, ClothThatBearsAForceTouchesWhereFlatTrianglesStandOff) {
+// One is a matter of distance, the other of force.
+TEST(Gap, ContactIsNearAndPressedIsBorne) {
   const garment::Garment patch = testing::patch_garment(0.1, 0.02);
   const fabric::Material m = cloth(0.001);
-  const auto positions = testing::before_wall(patch, 0.002, Mat3::Identity());
-  const WornGarment worn = relate(patch, positions, testing::wall_body());
-  PressureField pressure;
-  pressure.contact.assign(patch.vertex_count, 0.0);
-  pressure.contact[3] = 100;
-  const auto maps = make_maps("gap", {patch, positions, worn, &m, &pressure});
-  for (int v = 0; v < patch.vertex_count; ++v) EXPECT_EQ(maps[1].values[v], v == 3 ? 1 : 0);
+  for (const double away : {0.0006, 0.002}) {
+    const auto positions = testing::before_wall(patch, away, Mat3::Identity());
+    const WornGarment worn = relate(patch, positions, testing::wall_body());
+    PressureField pressure;
+    pressure.contact.assign(patch.vertex_count, 20.0);  // less than counts
+    pressure.contact[3] = 100;
+    const auto maps = make_maps("gap", {patch, positions, worn, &m, &pressure});
+    for (int v = 0; v < patch.vertex_count; ++v) {
+      EXPECT_EQ(maps[1].values[v], away < 0.001 ? 1 : 0);
+      EXPECT_EQ(maps[2].values[v], v == 3 ? 1 : 0);
+    }
+    const auto without = make_maps("gap", {patch, positions, worn, &m});
+    for (const double pressed : without[2].values) EXPECT_TRUE(std::isnan(pressed));
+  }
 }
 
 TEST(Gap, ShowsWhereClothBridgesAHollow) {

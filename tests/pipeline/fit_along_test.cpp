@@ -1,5 +1,7 @@
 #include "loosefit/pipeline/fit_along.h"
 
+#include "loosefit/kinds/girths_along.h"
+
 #include <gtest/gtest.h>
 
 #include "support/body_fixture.h"
@@ -16,7 +18,7 @@ TEST(FitAlong, BodyHasItsMeasuresAtTheirStations) {
   const body::Body body = woman();
   const auto& m = body.measured;
   const auto at = [&](const char* limb, double along) {
-    const std::vector<StationFit> fits = fit_along({{limb, along, 1.0, 0.5}}, body);
+    const std::vector<StationFit> fits = fit_along({{limb, along, 1.0, 0.5}}, body, kinds::girths_along(body));
     return fits.size() == 1 ? fits[0] : StationFit{};
   };
   const StationFit waist = at("trunk", m.at("hps_to_waist")), hip = at("trunk", m.at("hps_to_hip"));
@@ -40,7 +42,7 @@ TEST(FitAlong, AnArmThatIsThickerThanTheOtherCountsOnEitherSide) {
   const double elbow = body.measured.at("elbow_length"), wrist = body.measured.at("arm_length");
   const double along = elbow + 0.4 * (wrist - elbow);
   const auto girth = [&](const body::Body& of) {
-    const std::vector<StationFit> fits = fit_along({{"arm", along, 1.0, {}}}, of);
+    const std::vector<StationFit> fits = fit_along({{"arm", along, 1.0, {}}}, of, kinds::girths_along(of));
     return fits.size() == 1 ? fits[0].body : 0;
   };
   for (const char* side : {"_L", "_R"}) {
@@ -62,27 +64,27 @@ TEST(FitAlong, AnArmThatIsThickerThanTheOtherCountsOnEitherSide) {
 TEST(FitAlong, BelowTheCrotchThereIsNoTrunk) {
   body::Body body = woman();
   body.joints["hip_L"].z() -= 0.3;  // how far down a tape is laid
-  EXPECT_TRUE(fit_along({{"trunk", 1.0, 1.0, {}}}, body).empty());
+  EXPECT_TRUE(fit_along({{"trunk", 1.0, 1.0, {}}}, body, kinds::girths_along(body)).empty());
 }
 
 TEST(FitAlong, SectionsThatGoRoundTheTrunkTooAreLeftOut) {
   const body::Body body = woman();
-  EXPECT_TRUE(fit_along({{"arm", 0.0, 1.0, {}}}, body).empty());
+  EXPECT_TRUE(fit_along({{"arm", 0.0, 1.0, {}}}, body, kinds::girths_along(body)).empty());
 }
 
 TEST(FitAlong, SectionsThatGoRoundTheArmsTooAreLeftOut) {
   const body::Body body = woman();
-  EXPECT_TRUE(fit_along({{"trunk", 0.16, 1.0, {}}}, body).empty()) << "through the shoulders";
-  EXPECT_EQ(fit_along({{"trunk", 0.30, 1.0, {}}}, body).size(), 1u) << "at the chest";
+  EXPECT_TRUE(fit_along({{"trunk", 0.16, 1.0, {}}}, body, kinds::girths_along(body)).empty()) << "through the shoulders";
+  EXPECT_EQ(fit_along({{"trunk", 0.30, 1.0, {}}}, body, kinds::girths_along(body)).size(), 1u) << "at the chest";
 }
 
 TEST(FitAlong, LimbsThatABodyHasNotAreLeftOut) {
   body::Body body = woman();
   body.joints.erase("wrist_L");
-  EXPECT_EQ(fit_along({{"arm", 0.3, 1.0, {}}}, body).size(), 1u) << "the right arm";
+  EXPECT_EQ(fit_along({{"arm", 0.3, 1.0, {}}}, body, kinds::girths_along(body)).size(), 1u) << "the right arm";
   body.joints.erase("wrist_R");
   body.landmarks.erase("hps_L");
-  EXPECT_TRUE(fit_along({{"arm", 0.3, 1.0, {}}, {"trunk", 0.4, 1.0, {}}}, body).empty());
+  EXPECT_TRUE(fit_along({{"arm", 0.3, 1.0, {}}, {"trunk", 0.4, 1.0, {}}}, body, kinds::girths_along(body)).empty());
 }
 
 }  // namespace

@@ -32,6 +32,10 @@ struct Garment {
   /// What pulls along paths; their triangles are those of the garment.
   std::vector<fabric::BandPart> bands;
 
+  /// Ease at each vertex' level, girth of the flat pieces over girth of the body − 1, as cut and as
+  /// asked for [–]; NaN where it is not known; empty: nowhere.
+  std::vector<double> vertex_ease_cut, vertex_ease_asked;
+
   std::vector<char> triangle_built_in;  ///< held in a rigid clamp; empty: none
 
   /// Vertices along a panel edge in outline order, ends included.

@@ -25,18 +25,25 @@ namespace {
 /// The first `levels` of the hierarchy, at least one.
 GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_length,
                               const fabric::Material& material,
-                              const std::vector<Attachment>& attachments, int levels) {
-  pattern::edge_divisions(pattern,
-                          edge_length);  // refuses impossible edge lengths before the work starts
+                              const std::vector<Attachment>& attachments,
+                              const std::vector<double>& fineness, int levels) {
+  const auto edges = [&](double length) {
+    std::vector<double> of_panels(pattern.panels.size(), length);
+    for (std::size_t p = 0; p < fineness.size(); ++p) of_panels[p] *= fineness[p];
+    return of_panels;
+  };
+  // Impossible edge lengths are refused before the work starts.
+  pattern::edge_divisions(pattern, edges(edge_length));
   const double coarsest = edge_length * (1 << hierarchy_refinements(edge_length));
-  const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, coarsest);
+  const std::vector<double> coarsest_of = edges(coarsest);
+  const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, coarsest_of);
 
   // The coarsest level is meshed; every finer one is a subdivision of the one before.
   GarmentHierarchy hierarchy;
   hierarchy.pattern = pattern;
   std::vector<pattern::PanelMesh> meshes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], coarsest));
+    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], coarsest_of[p]));
   SewnPanels sewn = sew_panels(pattern, meshes, material);
   hierarchy.parents.push_back({});
   for (int v = 0; v < sewn.garment.vertex_count; ++v) hierarchy.parents[0].push_back({v, v});
@@ -67,15 +74,17 @@ GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_lengt
 
 GarmentHierarchy build_hierarchy(const pattern::Pattern& pattern, double edge_length,
                                  const fabric::Material& material,
-                                 const std::vector<Attachment>& attachments) {
-  return build_levels(pattern, edge_length, material, attachments,
+                                 const std::vector<Attachment>& attachments,
+                                 const std::vector<double>& finer) {
+  return build_levels(pattern, edge_length, material, attachments, finer,
                       hierarchy_refinements(edge_length) + 1);
 }
 
 GarmentHierarchy build_coarsest_level(const pattern::Pattern& pattern, double edge_length,
                                       const fabric::Material& material,
-                                      const std::vector<Attachment>& attachments) {
-  return build_levels(pattern, edge_length, material, attachments, 1);
+                                      const std::vector<Attachment>& attachments,
+                                      const std::vector<double>& finer) {
+  return build_levels(pattern, edge_length, material, attachments, finer, 1);
 }
 
 }  // namespace loosefit::garment

@@ -25,13 +25,16 @@ struct GarmentHierarchy {
 /// for longer edges), then splits k times. Vertices keep their numbers from level to level; new
 /// points on outlines lie on the true curves of the pattern. parents[0] is the identity.
 /// \throws InvalidInput, GeometryError as `assemble` does.
+/// \param finer wanted edge of each panel over edge_length, in (0, 1]; empty: 1 for all
 GarmentHierarchy build_hierarchy(const pattern::Pattern& pattern, double edge_length,
                                  const fabric::Material& material,
-                                 const std::vector<Attachment>& attachments = {});
+                                 const std::vector<Attachment>& attachments = {},
+                                 const std::vector<double>& finer = {});
 /// Only the coarsest level of build_hierarchy, for a quick first drape. \throws as build_hierarchy.
 GarmentHierarchy build_coarsest_level(const pattern::Pattern& pattern, double edge_length,
                                       const fabric::Material& material,
-                                      const std::vector<Attachment>& attachments = {});
+                                      const std::vector<Attachment>& attachments = {},
+                                      const std::vector<double>& finer = {});
 /// The k above.
 int hierarchy_refinements(double edge_length);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "loosefit/base/paths.h"
 #include "loosefit/base/text.h"
@@ -76,6 +77,32 @@ void read_isotropic_pair(ConfigReader& table, scenario::MaterialCard& card,
       "E = {:g} Pa with h = {:g} m is E h = {:g} N/m; a homogeneous sheet would bend with "
       "E h³/(12 (1 − ν²)) = {:.3g} N m, the card says {:.3g} N m ({:.3g} times)",
       *modulus, *h, sheet, plate, m.bending_warp, m.bending_warp / plate));
+}
+
+/// What a cantilever tells (ISO 9073-7, ASTM D1388): B = w g c³.
+void read_bending_lengths(ConfigReader& table, scenario::MaterialCard& card,
+                          std::set<std::string>& set) {
+  fabric::Material& m = card.material;
+  for (const auto& [key, constant, value] :
+       {std::tuple{"bending_length_warp", "bending_warp", &fabric::Material::bending_warp},
+        std::tuple{"bending_length_weft", "bending_weft", &fabric::Material::bending_weft}}) {
+    const auto c = table.optional_number(key, {0.002, 0.1, "metres"},
+                                         "half the overhang of a cantilever at 41.5 degrees");
+    table.clash(key, constant);
+    if (!c) continue;
+    if (set.count(constant))
+      throw table.error(key, "either " + std::string(key) + " or " + constant,
+                        "both are the bending rigidity of one direction");
+    m.*value = m.areal_density * kGravity * *c * *c * *c;
+    if (m.*value < 1e-8 || m.*value > 1e-3)
+      throw table.error(key, fmt::format("w g c³ = {:.3g} N m", m.*value),
+                        "w g c³ from 1e-8 to 1e-3 N m",
+                        "check the units: the bending length c in metres, the weight w in kg/m²");
+    card.how[constant] =
+        fmt::format("{} = {} m: {} kg/m² × {} m/s² × ({} m)³", key, shortest(*c),
+                    shortest(m.areal_density), shortest(kGravity), shortest(*c));
+    set.insert(constant);
+  }
 }
 
 bool same_curve(const std::vector<fabric::CurvePoint>& a,
@@ -338,6 +365,7 @@ std::set<std::string> read_material_constants(ConfigReader& table, scenario::Mat
     const auto conversion = converted.find(key);
     card.how[key] = conversion == converted.end() ? "" : conversion->second;
   }
+  read_bending_lengths(table, card, set);
   read_isotropic_pair(table, card, set);
   drop_replaced_curves(set, card);
   for (const char* direction : read_material_curves(table, m)) {

@@ -6,10 +6,13 @@
 
 namespace loosefit::kinds {
 
-/// The measures of a body (Body::measured) that a kind of garment asks for and that are known.
-NamedValues known_measures(const GarmentKind& kind, const std::map<std::string, double>& measured);
+/// The measures of a body (Body::measured) that a kind of garment asks for and that are known, with its
+/// girths along its limbs.
+BodyMeasures known_measures(const GarmentKind& kind, const std::map<std::string, double>& measured,
+                            const GirthsAlong& along = {});
 
 /// All of them. \throws InvalidInput naming a missing one.
-NamedValues draft_measures(const GarmentKind& kind, const std::map<std::string, double>& measured);
+BodyMeasures draft_measures(const GarmentKind& kind, const std::map<std::string, double>& measured,
+                            const GirthsAlong& along = {});
 
 }  // namespace loosefit::kinds

@@ -44,12 +44,13 @@ std::vector<FitStation> stations_along(const std::string& limb,
             to = static_cast<int>(std::floor(last / kStationStep));
   for (int k = from; k <= to; ++k) {
     const double along = k * kStationStep;
-    FitStation station{limb, along, 0, mobility_at(asked, along)};
+    FitStation station{limb, along, 0, mobility_at(asked, along), {}};
     bool whole = !panels.empty();
     for (const pattern::Panel* panel : panels) {
       const double width = panel ? width_at(*panel, y_of(along)) : 0;
       whole = whole && width > 0;
       station.garment += width;
+      if (panel) station.lines.push_back({panel->part, y_of(along)});
     }
     if (whole) stations.push_back(station);
   }

@@ -8,13 +8,21 @@
 
 namespace loosefit::kinds {
 
-/// Girth of a garment at one of many levels along trunk or arm, a fixed step apart.
+/// A level line on a piece: where it is cut for a station.
+struct StationLine {
+  std::string part;  ///< Panel::part
+  double y = 0;      ///< in the piece [m]
+};
+
+/// Girth of a garment at one of many levels along trunk, arm or leg, a fixed step apart.
 struct FitStation {
-  std::string limb;  ///< "trunk" or "arm"
-  /// Trunk: down the back from the high point shoulder. Arm: down from the shoulder point [m].
+  std::string limb;  ///< "trunk", "arm" or "leg"
+  /// Trunk: down the back from the high point shoulder. Arm: down from the shoulder point. Leg: down
+  /// from the crotch [m].
   double along = 0;
   double garment = 0;           ///< on the flat pieces [m]
   std::optional<double> asked;  ///< mobility there, even between the levels of fit; absent: none
+  std::vector<StationLine> lines = {};  ///< whose widths the girth is; of the left limb
 };
 
 /// Step between two stations [m].

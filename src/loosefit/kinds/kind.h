@@ -43,7 +43,7 @@ struct KindSize {
 
 /// What a draft is asked for.
 struct DraftRequest {
-  NamedValues measures;  ///< of the body, by KindMeasure::name; not needed with a size
+  BodyMeasures measures;  ///< of the body, by KindMeasure::name; not needed with a size
   std::string size;      ///< fixed garment size instead; empty: none
   NamedValues fit;       ///< by KindKey::name; a missing one has its usual value
   /// What nobody asked for gives way where it cannot be drafted: "fit.sleeve", "measures.neck".
@@ -53,7 +53,8 @@ struct DraftRequest {
 /// A garment as it was drafted.
 struct DraftedGarment {
   pattern::Pattern pattern;
-  NamedValues measures, fit;       ///< what it was drafted from in the end
+  BodyMeasures measures;           ///< what it was drafted from in the end
+  NamedValues fit;
   std::vector<std::string> notes;  ///< one for every value that gave way
   std::string details;             ///< one line for a tailor: what the draft arrived at
 };
@@ -86,13 +87,13 @@ struct GarmentKind {
   std::function<DraftedGarment(const DraftRequest&)> draft;
   /// Levels of fit measured on the pieces, in the order to print them. `measures`: what is known
   /// of the body; levels that need more are left out. `fit`: what it was drafted from.
-  std::function<std::vector<FitLevel>(const pattern::Pattern&, const NamedValues& measures,
+  std::function<std::vector<FitLevel>(const pattern::Pattern&, const BodyMeasures& measures,
                                       const NamedValues& fit)>
       levels;
 
-  /// Girths of the pieces along trunk and arms, every kStationStep; arguments as of `levels`. Empty
+  /// Girths of the pieces along trunk and limbs, every kStationStep; arguments as of `levels`. Empty
   /// for a kind whose pieces do not tell.
-  std::function<std::vector<FitStation>(const pattern::Pattern&, const NamedValues& measures,
+  std::function<std::vector<FitStation>(const pattern::Pattern&, const BodyMeasures& measures,
                                         const NamedValues& fit)>
       stations;
 

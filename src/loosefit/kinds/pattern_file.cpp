@@ -11,7 +11,7 @@ GarmentKind pattern_file() {
   for (const char* name :
        {"hps_to_bust", "hps_to_waist", "hps_to_hip", "crotch_height", "hip_level", "arm_length"})
     kind.measures.push_back({name, name, 0.05, 2, "m", false});
-  kind.levels = [](const pattern::Pattern&, const NamedValues&, const NamedValues&) {
+  kind.levels = [](const pattern::Pattern&, const BodyMeasures&, const NamedValues&) {
     return std::vector<FitLevel>{};
   };
   kind.note_parts = [](pattern::Pattern&) { return false; };

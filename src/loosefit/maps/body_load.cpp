@@ -99,7 +99,7 @@ BodyLoad body_load(const garment::Garment& garment, const drape::Drape& drape,
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const body::BodyPartner& partner = worn.partners[i];
-    const double gap = gap_of(partner.exact.distance, material);
+    const double gap = gap_of(worn.distances[i], material);
     area += worn.areas[i];
     for (std::size_t k = 0; k < kNearGaps.size(); ++k)
       if (gap <= kNearGaps[k]) load.near_share[k] += worn.areas[i];

@@ -3,6 +3,7 @@
 #include "loosefit/maps/definitions/angular_deviation.h"
 #include "loosefit/maps/definitions/crimp.h"
 #include "loosefit/maps/definitions/distance.h"
+#include "loosefit/maps/definitions/ease.h"
 #include "loosefit/maps/definitions/gap.h"
 #include "loosefit/maps/definitions/orientation.h"
 #include "loosefit/maps/definitions/orientation_error.h"
@@ -28,7 +29,7 @@ const std::vector<MapDefinition>& map_catalogue() {
       strain_map(),   trellis_shear_map(),     principal_strain_map(),
       distance_map(), angular_deviation_map(), crimp_map(),
       pressure_map(), orientation_map(),       gap_map(),
-      slip_map(),     orientation_error_map(),
+      slip_map(),     orientation_error_map(), ease_map(),
   };
   return kMaps;
 }

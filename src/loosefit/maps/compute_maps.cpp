@@ -83,6 +83,7 @@ std::vector<PerformanceMap> compute_maps(const garment::Garment& garment, const 
   };
   for (const MapDefinition& map : map_catalogue()) {
     if (!named(map.name) && !named(map.made_with)) continue;
+    if (map.needs_ease && garment.vertex_ease_cut.empty()) continue;
     for (PerformanceMap& array : make_maps(map, input)) maps.push_back(std::move(array));
   }
   return maps;

@@ -28,6 +28,7 @@ struct MapInput {
 /// The cloth over a place of the skin.
 struct ClothOverSkin {
   const body::BodyPartner& partner;
+  double distance;                   ///< of the smooth cloth to the partner [m]
   const Vec3& normal;                ///< of the cloth, unit
   const fabric::Material* material;  ///< null only where MapDefinition::needs_material is false
 };
@@ -113,6 +114,7 @@ struct MapDefinition {
   bool needs_material = false;  ///< the law of the cloth, or its thickness
   bool needs_forces = false;    ///< contact forces of the drape
   bool needs_postures = false;  ///< made of several postures, not asked for by name
+  bool needs_ease = false;      ///< girths of a draft; not made of garments without them
   std::string made_with = {};   ///< the map that asks for this one, too; "": only its own name
 };
 

@@ -35,7 +35,7 @@ std::vector<double> VertexReader::of(ReadOverSkin read) const {
   std::vector<double> values;
   values.reserve(worn.partners.size());
   for (std::size_t v = 0; v < worn.partners.size(); ++v)
-    values.push_back(read({worn.partners[v], worn.normals[v], input_.material}));
+    values.push_back(read({worn.partners[v], worn.distances[v], worn.normals[v], input_.material}));
   return values;
 }
 

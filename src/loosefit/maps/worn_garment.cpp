@@ -26,6 +26,10 @@ WornGarment relate(const garment::Garment& garment, const std::vector<Vec3>& pos
   for (int panel : garment.vertex_panel) worn.vertex_part.push_back(worn.panel_part[panel]);
 
   worn.partners = body::find_partners(finder, positions, worn.normals, worn.vertex_part);
+  std::vector<double> flat;
+  for (const body::BodyPartner& partner : worn.partners) flat.push_back(partner.exact.distance);
+  worn.curved = curved_triangles(garment, positions, worn.normals, flat, body);
+  worn.distances = smooth_vertex_distances(garment, worn.curved, flat);
   const std::vector<body::Region>& regions = body.regions();
   const std::vector<Vec3>& axes = body.axes();
   for (const body::BodyPartner& partner : worn.partners) {

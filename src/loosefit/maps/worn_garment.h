@@ -3,6 +3,7 @@
 
 #include "loosefit/body/posed_body.h"
 #include "loosefit/garment/garment.h"
+#include "loosefit/maps/curved_cloth.h"
 
 namespace loosefit::maps {
 
@@ -12,6 +13,8 @@ struct WornGarment {
   std::vector<body::BodyPart> panel_part;   ///< per panel, by vote of its vertices
   std::vector<body::BodyPart> vertex_part;  ///< per vertex: that of vertex_panel
   std::vector<body::BodyPartner> partners;  ///< per vertex
+  std::vector<CurvedTriangle> curved;       ///< per triangle
+  std::vector<double> distances;            ///< of the smooth cloth to the partner, per vertex [m]
   std::vector<Vec3> segment_axes;           ///< per vertex: body/body_frame.h, at its partner
   std::vector<body::Region> regions;        ///< per vertex: region of its partner
   std::vector<double> areas;  ///< flat area of each vertex [m²], weights of statistics

@@ -90,31 +90,41 @@ std::vector<Vec2> divided_outline(const Panel& panel, const std::vector<int>& di
 }
 
 std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge_length) {
+  return edge_divisions(pattern, std::vector<double>(pattern.panels.size(), edge_length));
+}
+
+std::vector<std::vector<int>> edge_divisions(const Pattern& pattern,
+                                             const std::vector<double>& wanted) {
   const InputPlace place{{}, 0, "edge_length"};
-  if (!(edge_length > 0) || !std::isfinite(edge_length))
-    throw InvalidInput(place, fmt::format("{:.6g} m", edge_length), "a positive length in metres");
+  for (const double edge : wanted)
+    if (!(edge > 0) || !std::isfinite(edge))
+      throw InvalidInput(place, fmt::format("{:.6g} m", edge), "a positive length in metres");
   check_pattern(pattern);
 
   // Each edge by its own length, refused before memory runs out.
   std::vector<std::vector<int>> divisions;
-  double area = 0;
-  for (const Panel& panel : pattern.panels) {
-    area += signed_area(outline_polygon(panel));
+  double area = 0, vertices = 0;
+  for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+    const Panel& panel = pattern.panels[p];
+    const double here = signed_area(outline_polygon(panel));
+    area += here;
+    vertices += here / (0.87 * wanted[p] * wanted[p]);
     std::vector<int> counts;
     for (const double length : edge_lengths(panel)) {
-      const double count = std::round(length / edge_length);
+      const double count = std::round(length / wanted[p]);
       if (count > kMostDivisions)
-        throw InvalidInput(place, fmt::format("{:.6g} m", edge_length),
+        throw InvalidInput(place, fmt::format("{:.6g} m", wanted[p]),
                            fmt::format("at least {:.3g} m for an edge of {:.3g} m in panel {}",
                                        length / kMostDivisions, length, panel.name));
       counts.push_back(std::max(1, static_cast<int>(count)));
     }
     divisions.push_back(counts);
   }
-  if (area / (0.87 * edge_length * edge_length) > kMostVertices)
-    throw InvalidInput(place, fmt::format("{:.6g} m", edge_length),
+  const double finest = *std::min_element(wanted.begin(), wanted.end());
+  if (vertices > kMostVertices)
+    throw InvalidInput(place, fmt::format("{:.6g} m", finest),
                        fmt::format("at least {:.3g} m for a garment of {:.3g} m²",
-                                   std::sqrt(area / 0.87 / kMostVertices), area));
+                                   finest * std::sqrt(vertices / kMostVertices), area));
 
   // Both sides of a seam take the larger count.
   const auto join = [&](const Stitch& s) {
@@ -128,14 +138,14 @@ std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge
   for (int round = 0; round < 12; ++round) {
     bool changed = false;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-      if (usable(pattern.panels[p], divisions[p], edge_length)) continue;
+      if (usable(pattern.panels[p], divisions[p], wanted[p])) continue;
       changed = true;
       for (std::size_t e = 0; e < divisions[p].size(); ++e) divisions[p][e] *= 2;
     }
     if (!changed) return divisions;
     for (const Stitch& s : pattern.stitches) join(s);
   }
-  throw GeometryError(place, fmt::format("{:.6g} m", edge_length),
+  throw GeometryError(place, fmt::format("{:.6g} m", finest),
                       "an edge length at which every outline stays simple",
                       "a panel is extremely narrow; check the pattern");
 }

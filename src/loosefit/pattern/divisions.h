@@ -11,6 +11,9 @@ namespace loosefit::pattern {
 /// \throws InvalidInput edge length not positive or far too small for the pattern;
 ///         GeometryError when an outline is not simple, or an edge is sewn twice.
 std::vector<std::vector<int>> edge_divisions(const Pattern& pattern, double edge_length);
+/// The same with a wanted edge length for each panel: a seam has the count of the finer one.
+std::vector<std::vector<int>> edge_divisions(const Pattern& pattern,
+                                             const std::vector<double>& edge_lengths);
 
 /// Outline points of a panel, each edge divided evenly in arc length; first point = start of edge
 /// 0.

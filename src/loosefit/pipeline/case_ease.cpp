@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "loosefit/base/text.h"
 #include "loosefit/fabric/stress_curve.h"
 #include "loosefit/kinds/registry.h"
+#include "loosefit/pipeline/ease_on_mesh.h"
 
 namespace loosefit::pipeline {
 namespace {
@@ -22,15 +24,26 @@ constexpr double kUnjudgedStrain = 0.15;  ///< from which on a range that is not
 /// Skin pressed beyond comfort from which on it is said [m²]: less is a fold in the armpit.
 constexpr double kToldPressedArea = 10e-4;
 
-/// Ease missing where hardly any was asked for, 0 to kLooseEase, from which on it is said [–]: a
-/// share of so little is less than what bodies are taped to.
+/// Miss of an ease below kLooseEase from which on it is said [–]: less is what bodies are taped to.
 constexpr double kToldShortfall = 0.02;
 
-/// Whether a station is cut tighter than it was asked for. What was asked to be tight presses
-/// anyway, and is not judged.
-bool is_short_of_asked(const StationEase& s) {
-  if (!s.asked || *s.asked < 0) return false;
-  return s.cut < (*s.asked >= kLooseEase ? kCutShare * *s.asked : *s.asked - kToldShortfall);
+/// Whether a station is not cut as it was asked for. What was asked to be loose may be looser, as
+/// pieces are that are cut straight; what was asked to lie close may not.
+bool is_missed(const StationEase& s) {
+  if (!s.asked) return false;
+  if (*s.asked >= kLooseEase) return s.cut < kCutShare * *s.asked;
+  return std::abs(s.cut - *s.asked) > kToldShortfall;
+}
+
+/// Along trunk, arm and leg the tightest station of each place, by name.
+std::map<std::string, const StationFit*> tightest_stations(const CasePattern& pattern) {
+  std::map<std::string, const StationFit*> tightest;
+  for (const StationFit& s : pattern.fit_along) {
+    const std::string piece = s.limb == "arm" ? "sleeve" : s.limb;
+    const auto [entry, first] = tightest.insert({piece + " at the " + s.place, &s});
+    if (!first && s.cut() < entry->second->cut()) entry->second = &s;
+  }
+  return tightest;
 }
 
 /// The key of the kind that a level is asked for with; nothing where there is none, as of a
@@ -104,16 +117,23 @@ std::vector<StationEase> station_eases(const CasePattern& pattern,
   for (const kinds::FitLevel& level : pattern.levels)
     if (const auto cut = pattern.fit.find(level.name); cut != pattern.fit.end())
       stations.push_back(level_ease(level, cut->second, spec));
-  // Along trunk and arm, the tightest of each place.
-  std::map<std::string, StationEase> tightest;
-  for (const StationFit& s : pattern.fit_along) {
-    const std::string name =
-        s.limb == "arm" ? "sleeve at the " + s.place : "trunk at the " + s.place;
-    const StationEase ease{.name = name, .cut = s.cut(), .asked = s.asked, .body = s.body};
-    const auto [entry, first] = tightest.insert({name, ease});
-    if (!first && ease.cut < entry->second.cut) entry->second = ease;
-  }
-  for (auto& entry : tightest) stations.push_back(std::move(entry.second));
+  for (const auto& [name, s] : tightest_stations(pattern))
+    stations.push_back({.name = name, .cut = s->cut(), .asked = s->asked, .body = s->body});
+  return stations;
+}
+
+std::vector<StationEase> station_eases(const CaseGarment& garment,
+                                       const scenario::GarmentSpec& spec) {
+  std::vector<StationEase> stations = station_eases(garment.pattern, spec);
+  const auto tightest = tightest_stations(garment.pattern);
+  if (garment.hierarchy.levels.empty() ||
+      static_cast<int>(garment.drape.positions.size()) != garment.mesh().vertex_count)
+    return stations;
+  for (StationEase& ease : stations)
+    if (const auto found = tightest.find(ease.name); found != tightest.end())
+      if (const double girth = worn_girth(garment.mesh(), garment.drape.positions, *found->second);
+          girth > 0)
+        ease.worn = girth / ease.body - 1;
   return stations;
 }
 
@@ -144,7 +164,7 @@ std::vector<std::string> ease_warnings(const std::vector<StationEase>& stations,
                                        const fabric::Material& material) {
   std::vector<std::string> lines;
   for (const StationEase& s : stations)
-    if (is_short_of_asked(s))
+    if (is_missed(s))
       lines.push_back(printable(s.name) + ": " + percent(s.cut) + " of ease where " +
                       percent(*s.asked) + " was asked");
   if (!load || !(load->weight > 0)) return lines;

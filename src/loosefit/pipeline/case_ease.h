@@ -15,12 +15,18 @@ struct StationEase {
   std::optional<double> asked = {};  ///< [–]; absent: nobody asked for one there
   bool drawn_in = false;             ///< tight by the draft itself, as a waistband is
   double body = 0;                   ///< girth of the body [m]; 0: not known
+  /// As worn: the way of the yarns round the body over its girth − 1 [–]; absent: not draped, or no
+  /// station there.
+  std::optional<double> worn = {};
 };
 
 /// All stations whose body girth is known: the levels of fit, and the tightest near each place
 /// along trunk and arm. Those that have a key of the kind were asked for: by the scenario, or by
 /// what the kind usually has. A fixed size and a pattern file ask for nothing.
 std::vector<StationEase> station_eases(const CasePattern& pattern,
+                                       const scenario::GarmentSpec& spec);
+/// The same with the eases as worn.
+std::vector<StationEase> station_eases(const CaseGarment& garment,
                                        const scenario::GarmentSpec& spec);
 
 /// The one with the least ease; nothing where none is known.

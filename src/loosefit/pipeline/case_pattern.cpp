@@ -24,20 +24,21 @@ void check_units(const UnitsDoubt& doubt, const std::string& file,
   warnings.push_back(doubt.found + ": " + doubt.hint);
 }
 
-void measure_fit(CasePattern& result, const body::Body& body, const kinds::NamedValues& drafted_fit,
-                 bool made_to_measure) {
+void measure_fit(CasePattern& result, const body::Body& body, const kinds::GirthsAlong& girths,
+                 const kinds::NamedValues& drafted_fit, bool made_to_measure) {
   const kinds::GarmentKind& kind = kinds::garment_kind(result.pattern.kind);
+  const kinds::BodyMeasures measures = kinds::known_measures(kind, body.measured, girths);
   if (kind.draft) {
-    result.levels =
-        kind.levels(result.pattern, kinds::known_measures(kind, body.measured), drafted_fit);
+    result.levels = kind.levels(result.pattern, measures, drafted_fit);
   } else {
-    FileGirths girths = file_girths(result.pattern, kinds::known_measures(kind, body.measured));
-    result.levels = std::move(girths.levels);
-    result.girths_along = std::move(girths.stations);
+    FileGirths of_file = file_girths(result.pattern, measures);
+    result.levels = std::move(of_file.levels);
+    result.girths_along = std::move(of_file.stations);
   }
   if (kind.stations)
-    result.girths_along = kind.stations(result.pattern, kinds::known_measures(kind, body.measured),
+    result.girths_along = kind.stations(result.pattern, measures,
                                         made_to_measure ? drafted_fit : kinds::NamedValues{});
+  result.fit_along = fit_along(result.girths_along, body, girths);
   for (const kinds::FitLevel& level : result.levels) {
     result.girths[level.name] = level.garment;
     if (level.body && *level.body > 0) result.fit[level.name] = level.garment / *level.body - 1;
@@ -92,7 +93,7 @@ void each_named(const std::vector<Named>& all, const std::string& section, const
 }  // namespace
 
 kinds::DraftedGarment draft_garment(const scenario::GarmentSpec& wished,
-                                    const kinds::NamedValues& measures,
+                                    const kinds::BodyMeasures& measures,
                                     const std::set<std::string>& asked) {
   const kinds::GarmentKind& kind = kinds::garment_kind(wished.kind);
   kinds::DraftRequest request{measures, wished.size, wished.fit, {}};
@@ -102,7 +103,8 @@ kinds::DraftedGarment draft_garment(const scenario::GarmentSpec& wished,
   return kind.draft(request);
 }
 
-CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& body) {
+CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& body,
+                         const kinds::GirthsAlong& girths) {
   CasePattern result;
   kinds::NamedValues fit;
   if (!wished.file.empty()) {
@@ -123,8 +125,8 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
     const bool made_to_measure = wished.size.empty();
     kinds::DraftedGarment garment = draft_garment(
         wished, made_to_measure
-                    ? kinds::draft_measures(kinds::garment_kind(wished.kind), body.measured)
-                    : kinds::NamedValues{});
+                    ? kinds::draft_measures(kinds::garment_kind(wished.kind), body.measured, girths)
+                    : kinds::BodyMeasures{});
     result.pattern = std::move(garment.pattern);
     result.warnings = std::move(garment.notes);
     fit = std::move(garment.fit);
@@ -134,14 +136,10 @@ CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& 
   });
   each_named(wished.bands, "band", "panels",
              [&](const pattern::NamedCloth& band) { pattern::set_cloth(result.pattern, band); });
-  measure_fit(result, body, fit, wished.file.empty() && wished.size.empty());
+  measure_fit(result, body, girths, fit, wished.file.empty() && wished.size.empty());
   if (!wished.file.empty())
     check_units(units_doubt(result.pattern, result.levels), wished.file, result.warnings);
   return result;
-}
-
-void set_fit_along(std::vector<CasePattern>& patterns, const body::Body& open) {
-  for (CasePattern& pattern : patterns) pattern.fit_along = fit_along(pattern.girths_along, open);
 }
 
 }  // namespace loosefit::pipeline

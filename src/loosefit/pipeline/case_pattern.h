@@ -19,7 +19,7 @@ struct CasePattern {
   std::map<std::string, double> girths;  ///< of the garment per level [m]: chest, waist, hip, …
   std::map<std::string, double> fit;     ///< BGM per level, garment girth / body girth − 1
   std::vector<kinds::FitStation> girths_along;  ///< of the pieces; empty: the kind cannot tell
-  std::vector<StationFit> fit_along;            ///< of these on the body, see set_fit_along
+  std::vector<StationFit> fit_along;            ///< of these on the body
   std::vector<std::string> warnings;  ///< of reading a pattern file, or of adapting the draft
 };
 
@@ -28,14 +28,14 @@ struct CasePattern {
 /// measures that are not in `asked` ("measures.neck", …). A size brings measures and fit of its
 /// own.
 kinds::DraftedGarment draft_garment(const scenario::GarmentSpec& wished,
-                                    const kinds::NamedValues& measures,
+                                    const kinds::BodyMeasures& measures,
                                     const std::set<std::string>& asked = {});
 
 /// Drafts the garment to the body's measures and the wished fit, or to a garment size, or reads the
 /// pattern file. \throws InvalidInput, GeometryError for what cannot be drafted or sewn.
-CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& body);
-
-/// The fit at every station. \param open the same person with the arms apart
-void set_fit_along(std::vector<CasePattern>& patterns, const body::Body& open);
+/// \param girths of the same person (kinds/girths_along.h); without them drafts follow the levels
+/// of fit alone, and no station is known.
+CasePattern make_pattern(const scenario::GarmentSpec& wished, const body::Body& body,
+                         const kinds::GirthsAlong& girths = {});
 
 }  // namespace loosefit::pipeline

@@ -12,6 +12,7 @@
 #include "loosefit/flesh/soft_body.h"
 #include "loosefit/pipeline/case_ease.h"
 #include "loosefit/pipeline/case_sewn_parts.h"
+#include "loosefit/pipeline/ease_on_mesh.h"
 #include "loosefit/placement/site_points.h"
 
 namespace loosefit::pipeline {
@@ -215,7 +216,7 @@ void add_fit(Lines& all, const CaseResult& result) {
     const scenario::ScenarioGarment& asked = result.scenario.garments[g];
     const bool outermost = g + 1 == result.garments.size();
     Lines told =
-        ease_warnings(station_eases(garment.pattern, asked.spec),
+        ease_warnings(station_eases(garment, asked.spec),
                       outermost ? garment.maps.load : std::nullopt, asked.material.material);
     const auto tell = [&told](const Lines& more) {
       told.insert(told.end(), more.begin(), more.end());
@@ -226,6 +227,7 @@ void add_fit(Lines& all, const CaseResult& result) {
       for (std::string& line : comfort) line += ", with what is worn over it";
     tell(comfort);
     add(all, "fit", told, under(g, result));
+    add(all, "garment", limb_mesh_warnings(garment.mesh(), garment.pattern), under(g, result));
     add(all, "material", strain_of(result, g), under(g, result));
   }
 }

@@ -1,6 +1,7 @@
 #include "loosefit/pipeline/garment_layers.h"
 
 #include "loosefit/base/error.h"
+#include "loosefit/pipeline/ease_on_mesh.h"
 #include "loosefit/pipeline/unsettled_advice.h"
 #include "loosefit/scenario/garment_tables.h"
 
@@ -21,10 +22,11 @@ InvalidInput in_section(const InvalidInput& error, const scenario::Scenario& sce
 
 }  // namespace
 
-std::vector<CasePattern> make_patterns(const scenario::Scenario& scenario, const body::Body& body) {
+std::vector<CasePattern> make_patterns(const scenario::Scenario& scenario, const body::Body& body,
+                                       const kinds::GirthsAlong& girths) {
   std::vector<CasePattern> patterns;
   for (std::size_t g = 0; g < scenario.garments.size(); ++g) try {
-      patterns.push_back(make_pattern(scenario.garments[g].spec, body));
+      patterns.push_back(make_pattern(scenario.garments[g].spec, body, girths));
     } catch (const InvalidInput& error) {
       throw in_section(error, scenario, g);
     }
@@ -45,7 +47,9 @@ std::vector<CaseGarment> mesh_garments(const scenario::Scenario& scenario,
       garment.pattern = patterns[g];
       garment.hierarchy =
           build(patterns[g].pattern, edge_length, scenario.garments[g].material.material,
-                studied ? attachments : std::vector<garment::Attachment>{});
+                studied ? attachments : std::vector<garment::Attachment>{},
+                limb_fineness(patterns[g], edge_length));
+      set_vertex_ease(garment.hierarchy, patterns[g]);
     } catch (const InvalidInput& error) {
       throw in_section(error, scenario, g);
     }

@@ -8,7 +8,8 @@
 namespace loosefit::pipeline {
 
 /// Stage "pattern". \throws as make_pattern, naming the section of the garment.
-std::vector<CasePattern> make_patterns(const scenario::Scenario& scenario, const body::Body& body);
+std::vector<CasePattern> make_patterns(const scenario::Scenario& scenario, const body::Body& body,
+                                       const kinds::GirthsAlong& girths = {});
 
 /// Which levels of a mesh hierarchy to make.
 enum class MeshLevels { all, coarsest };

@@ -16,6 +16,7 @@
 #include "loosefit/io/scenario_place.h"
 #include "loosefit/kinds/body_measures.h"
 #include "loosefit/kinds/find_size.h"
+#include "loosefit/kinds/girths_along.h"
 #include "loosefit/kinds/registry.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_pattern.h"
@@ -43,7 +44,9 @@ void check_one_source(const GarmentPatternWish& wish) {
 GarmentPattern of_scenario(const std::string& file) {
   const scenario::Scenario scenario = io::read_scenario(file);
   try {
-    CasePattern result = make_pattern(scenario.studied().spec, make_body(scenario.body).body);
+    const CaseBody body = make_body(scenario.body);
+    CasePattern result = make_pattern(scenario.studied().spec, body.body,
+                                      kinds::girths_along(body.path(0).body()));
     GarmentPattern made;
     made.pattern = std::move(result.pattern);
     made.levels = std::move(result.levels);
@@ -73,6 +76,13 @@ scenario::GarmentSpec garment_of(const GarmentPatternWish& wish, const kinds::Ga
     garment.fit[given.key] = given.value;
   }
   return garment;
+}
+
+/// A person of a scenario without [body].
+kinds::BodyMeasures measures_of_default_body(const kinds::GarmentKind& kind) {
+  const CaseBody body = make_body(io::default_scenario().body);
+  return kinds::draft_measures(kind, body.body->measured,
+                               kinds::girths_along(body.path(0).body()));
 }
 
 /// A measure of the body that was given, by the range that bodies have everywhere, else by that of
@@ -124,15 +134,16 @@ GarmentPattern make_garment_pattern(const GarmentPatternWish& wish) {
   }
   const kinds::GarmentKind& kind = kinds::garment_kind(kind_name);
   const bool has_body = !wish.body.empty() || !wish.measures.empty();
-  kinds::NamedValues measures;
+  kinds::BodyMeasures measures;
   if (!wish.body.empty())
     measures = io::read_measures(wish.body, kind.measures);
   else if (wish.size.empty() && (wish.file.empty() || has_body))
-    measures = kinds::draft_measures(kind, make_body(io::default_scenario().body).body->measured);
+    measures = measures_of_default_body(kind);
   std::set<std::string> asked;
   for (const GivenValue& given : wish.measures) {
     check_given(given, kind);
     measures[given.key] = given.value;
+    measures.along = {};  // of another person
     asked.insert("measures." + given.key);
   }
   if (!wish.file.empty()) {

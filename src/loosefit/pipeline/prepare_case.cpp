@@ -1,6 +1,7 @@
 #include "loosefit/pipeline/prepare_case.h"
 
 #include "loosefit/drape/cut_on_sleeves.h"
+#include "loosefit/kinds/girths_along.h"
 #include "loosefit/pipeline/case_lines.h"
 #include "loosefit/pipeline/case_sewn_parts.h"
 #include "loosefit/pipeline/check_worn.h"
@@ -16,8 +17,8 @@ CaseResult prepare_case(const scenario::Scenario& scenario, Progress& progress) 
   result.body = make_body(scenario.body, &progress);
 
   progress.stage("pattern");
-  std::vector<CasePattern> patterns = make_patterns(scenario, result.body.body);
-  set_fit_along(patterns, result.body.path(0).body());
+  std::vector<CasePattern> patterns = make_patterns(
+      scenario, result.body.body, kinds::girths_along(result.body.path(0).body()));
 
   progress.stage("garment");
   SewnParts sewn = place_sewn_parts(scenario, result.body, patterns, progress);

@@ -117,10 +117,11 @@ Json strain_range_json(const maps::StrainRange& range, const scenario::MaterialC
 /// Ease by station, as cut and as asked; null where nobody asked.
 Json ease_json(const CaseGarment& garment, const scenario::GarmentSpec& spec) {
   Json json = {{"stations", Json::array()}, {"least", nullptr}};
-  const std::vector<StationEase> stations = station_eases(garment.pattern, spec);
+  const std::vector<StationEase> stations = station_eases(garment, spec);
   for (const StationEase& s : stations)
     json["stations"].push_back(
-        {{"name", s.name}, {"cut", s.cut}, {"asked", s.asked ? Json(*s.asked) : Json(nullptr)}});
+        {{"name", s.name}, {"cut", s.cut}, {"asked", s.asked ? Json(*s.asked) : Json(nullptr)},
+         {"worn", s.worn ? Json(*s.worn) : Json(nullptr)}});
   if (const auto least = least_cut_ease(stations))
     json["least"] = {{"name", least->name}, {"cut", least->cut}};
   return json;

@@ -150,8 +150,13 @@ std::vector<double> StateMeter::sample_values(const maps::MapArray& array, const
       if (samples[i].own_panel || !array.along_sensor)
         values[i] = (*of_cloth)(strains_[samples[i].triangle], samples[i].direction);
   } else if (const auto* over_skin = std::get_if<maps::ReadOverSkin>(&array.read)) {
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      values[i] = (*over_skin)({samples[i].partner, samples[i].normal, &material_});
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const Footprint::Sample& at = patch.footprint.samples[i];
+      values[i] = (*over_skin)({samples[i].partner,
+                                 maps::smooth_distance(state_.worn.curved[at.triangle], at.barycentric,
+                                                       samples[i].partner.exact.distance),
+                                 samples[i].normal, &material_});
+    }
   } else if (const auto field = fields_.find(&array); field != fields_.end()) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const Footprint::Sample& at = patch.footprint.samples[i];

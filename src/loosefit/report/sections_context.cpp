@@ -110,6 +110,18 @@ Table time_table(const pipeline::CaseResult& result) {
   return table;
 }
 
+/// The program, the paper that it builds on (CITATION.cff), and the cloth.
+std::string citation(const pipeline::CaseResult& result) {
+  const fabric::Material& m = result.scenario.studied().material.material;
+  const std::string cloth =
+      m.source.empty() ? m.name + ", without a stated source" : m.name + " (" + m.source + ")";
+  return escaped("Loosefit " + version() +
+                 ", sensor performance maps of draped garments; after Harms, Amft and Tröster, Does "
+                 "loose fitting matter? Predicting sensor performance in smart garments (2012). "
+                 "Fabric: " +
+                 cloth + ".");
+}
+
 }  // namespace
 
 std::string fit_section(const pipeline::CaseResult& result) {
@@ -128,10 +140,14 @@ std::string fit_section(const pipeline::CaseResult& result) {
   std::string html = element("div", element("div", fit) + element("div", body), "columns");
   const std::string trunk =
                         fit_plot(result, "trunk", "Trunk", "high point shoulder, over the back"),
-                    arm = fit_plot(result, "arm", "Sleeve", "shoulder point");
-  if (!trunk.empty() || !arm.empty())
-    html += element("h3", "Fit along trunk and arm") +
-            element("div", element("div", trunk) + element("div", arm), "columns");
+                    arm = fit_plot(result, "arm", "Sleeve", "shoulder point"),
+                    leg = fit_plot(result, "leg", "Leg", "crotch");
+  if (!trunk.empty() || !arm.empty() || !leg.empty())
+    html += element("h3", "Fit along trunk and limbs") +
+            element("div",
+                    element("div", trunk) + element("div", arm) +
+                        (leg.empty() ? "" : element("div", leg)),
+                    "columns");
   return html;
 }
 
@@ -151,6 +167,7 @@ std::string provenance_section(const pipeline::CaseResult& result) {
   for (std::size_t l = 0; l < result.worn_under().size(); ++l)
     html += element("h3", "Constants of the cloth under it, " + std::to_string(l + 1)) +
             constants_table(result.scenario.garments[l].material);
+  html += element("h3", "How to cite") + element("p", citation(result));
   html += element("h3", "Scenario, every default written out");
   return html + "<details><summary>scenario.toml</summary><pre>" +
          escaped(io::scenario_toml(result.scenario)) + "</pre></details>\n";

@@ -36,10 +36,11 @@ std::string load_tables(const maps::BodyLoad& load) {
 }
 
 std::string ease_table(const std::vector<pipeline::StationEase>& stations) {
-  Table table({"Ease", "asked", "cut"});
+  Table table({"Ease", "asked", "cut", "worn"});
   table.define(0, "ease");
   for (const pipeline::StationEase& s : stations)
-    table.add({spaced(s.name), s.asked ? percent(*s.asked) : "–", percent(s.cut, 1)});
+    table.add({spaced(s.name), s.asked ? percent(*s.asked) : "–", percent(s.cut, 1),
+               s.worn ? percent(*s.worn, 1) : "–"});
   return table.html();
 }
 
@@ -65,7 +66,7 @@ std::string fit_check_section(const pipeline::CaseResult& result) {
   std::string html = element("h2", "Does it hang?");
   if (maps.load) html += load_tables(*maps.load);
   const auto stations =
-      pipeline::station_eases(result.studied().pattern, result.scenario.studied().spec);
+      pipeline::station_eases(result.studied(), result.scenario.studied().spec);
   if (!stations.empty()) html += ease_table(stations);
   html += range_table(maps.strain_range);
   return html + element("p",

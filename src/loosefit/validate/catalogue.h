@@ -22,6 +22,7 @@ BenchmarkResult benchmark_capstan(Effort effort, Progress& progress);
 BenchmarkResult benchmark_stick_slip(Effort effort, Progress& progress);
 BenchmarkResult benchmark_ruck(Effort effort, Progress& progress);
 BenchmarkResult benchmark_sleeve(Effort effort, Progress& progress);
+BenchmarkResult benchmark_close_bands(Effort effort, Progress& progress);
 BenchmarkResult benchmark_eccentric_tube(Effort effort, Progress& progress);
 BenchmarkResult benchmark_free_fall(Effort effort, Progress& progress);
 BenchmarkResult benchmark_hanging_swing(Effort effort, Progress& progress);

@@ -30,6 +30,7 @@ ShirtFit usual_fit() {
   fit.neck_ease = 0.25;  // goes over the head
   fit.scye_ease = 0.04;
   fit.cap_ratio = 0.65;
+  fit.sleeve_follow = 0;  // sweatshirts are cut straight
   fit.cuff = 0.06;
   fit.cuff_stretch = 0.25;
   return fit;

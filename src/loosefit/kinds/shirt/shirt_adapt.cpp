@@ -11,6 +11,7 @@
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_refusal.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
+#include "loosefit/kinds/shirt/sleeve_ease.h"
 
 namespace loosefit::kinds {
 namespace {

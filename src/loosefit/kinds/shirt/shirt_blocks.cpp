@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "loosefit/kinds/fit_stations.h"
 #include "loosefit/kinds/shirt/back_waist.h"
 
 namespace loosefit::kinds {
@@ -71,6 +72,20 @@ SideAtWaist side_at_waist(const TorsoLevels& l, double forward) {
   const bool between = share > 0 && share < 1;
   const double width = l.waist_fit ? (1 + *l.waist_fit) * l.waist / 4 + forward : needed;
   return {share, width + taken, l.waist_fit || (between && needed > straight - taken)};
+}
+
+/// Places of a side seam from underarm to hem, each with the ease between those asked for.
+std::vector<Vec2> widths_along(const TorsoLevels& l, const Vec2& underarm, const Vec2& hem,
+                               double forward) {
+  constexpr double kApart = 0.012;  // between two places [m]
+  const std::vector<AskedMobility> asked = {
+      {-l.underarm_y, l.chest_fit}, {-l.waist_y, *l.waist_fit}, {-l.hem_y, l.hip_fit}};
+  std::vector<Vec2> places = {underarm};
+  for (const GirthAt& g : l.trunk)
+    if (-g.along < underarm.y() - kApart && -g.along > hem.y() + kApart)
+      places.emplace_back((1 + *mobility_at(asked, g.along)) * g.girth / 4 + forward, -g.along);
+  places.push_back(hem);
+  return places;
 }
 
 /// Cuts a dart into half a back at x = `middle`. The hem is that of the sewn back, drawn apart by
@@ -157,7 +172,9 @@ pattern::CurveChain draft_side(const TorsoLevels& l, bool front) {
                  std::max(l.hem_y, end_y));
   pattern::CurveChain side;
   side.start = underarm;
-  if (const SideAtWaist at = side_at_waist(l, forward); at.through) {
+  if (l.waist_fit && l.back_intake == 0 && !l.trunk.empty()) {
+    side = draft_under_seam(widths_along(l, underarm, hem, forward));
+  } else if (const SideAtWaist at = side_at_waist(l, forward); at.through) {
     const Vec2 waist(at.width, l.waist_y);
     const Vec2 above(0, 0.4 * (l.underarm_y - waist.y())), below(0, 0.4 * (waist.y() - hem.y()));
     side.cubic_to(underarm - above, waist + above, waist).cubic_to(waist - below, hem + below, hem);
@@ -190,6 +207,7 @@ TorsoHalf draft_torso_half(const ShirtMeasures& m, const ShirtFit& fit, double u
                               .underarm_y = y_underarm,
                               .waist_y = -m.hps_to_waist,
                               .hem_y = -m.hps_to_hem,
+                              .trunk = m.along.trunk,
                               .side_drop = hem_side_drop(m.front_balance),
                               .back_intake = back_waist_intake(fit)};
   // All levels move alike, which keeps both side seams equal.

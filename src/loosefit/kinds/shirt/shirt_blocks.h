@@ -61,6 +61,7 @@ struct TorsoLevels {
   std::optional<double> waist_fit;                ///< absent: as the body needs
   double front_fullness = 0;                      ///< as ShirtMeasures
   double underarm_y = 0, waist_y = 0, hem_y = 0;  ///< [m], upwards
+  GirthLine trunk = {};    ///< of the body between waist and ends, as GirthsAlong; may be empty
   double side_drop = 0;    ///< by which the side seams end below the level of the hem [m]
   double back_intake = 0;  ///< what darts of the back take in at the waist (back_waist.h) [m]
 };
@@ -70,7 +71,8 @@ struct TorsoLevels {
 /// would sew it.
 double side_shift(const TorsoLevels& levels, bool front);
 /// Side seam of half a torso piece, underarm → hem: straight, or through the asked girth of the
-/// waist, or round a belly that a straight seam leaves less room than was asked for above and
+/// waist and, where the body is known there and no dart shapes the back, with the ease between the
+/// asked ones at every place, or round a belly that a straight seam leaves less room than was asked for above and
 /// below. It has the girth of the hem from its level down to its end. Girths are those of the sewn
 /// shirt: of what darts of the back take in either half gives back a quarter at the hem and at a
 /// waist that is asked for or needed.

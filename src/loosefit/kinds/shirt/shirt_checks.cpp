@@ -80,18 +80,20 @@ void check_shirt_input(const ShirtMeasures& m, const ShirtFit& fit) {
   in_range("fit.cap_ease", fit.cap_ease, -0.05, 0.15, "");
   in_range("fit.cap_ratio", fit.cap_ratio, 0.4, 0.85, "");
   in_range("fit.sleeve_length", fit.sleeve_length, 0.25, 1.0, "");
+  in_range("fit.sleeve_follow", fit.sleeve_follow, 0.0, 1.0, "");
   in_range("fit.elbow_bend", fit.elbow_bend, 0.0, 40.0, " degrees");
   in_range("fit.bust_dart", fit.bust_dart, 0.0, 1.0, "");
   in_range("fit.back_waist", fit.back_waist, 0.0, 0.06, " m");
   check_bands(fit);
 }
 
-void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double armhole) {
+void throw_sleeve_too_wide(const ShirtMeasures& m, const ShirtFit& fit, double arm,
+                           double armhole) {
   // A flat cap is slightly longer than the girth, so the girth may at most reach the armhole.
   throw ShirtRefusal({InputPlace{{}, 0, "fit.sleeve"}, fmt::format("{:.4g}", fit.sleeve),
                       fmt::format("below about {:.2f} for the deepest armhole of {:.3f} m that "
                                   "chest {:.3f} m at fit {:.3g} allows",
-                                  armhole * (1 + fit.cap_ease) * 0.97 / m.upper_arm - 1, armhole,
+                                  armhole * (1 + fit.cap_ease) * 0.97 / arm - 1, armhole,
                                   m.chest, fit.chest),
                       "narrow the sleeve, loosen the chest or raise fit.scye_ease"},
                      ShirtRule::sleeve_width);

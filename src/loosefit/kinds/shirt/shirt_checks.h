@@ -8,9 +8,10 @@ namespace loosefit::kinds {
 
 /// Ranges of every size and fit; names key, value and range.
 void check_shirt_input(const ShirtMeasures& measures, const ShirtFit& fit);
-/// No cap can be drafted: says how far the sleeve may be widened for this armhole length [m].
+/// No cap can be drafted: says how far the sleeve may be widened for this armhole length and
+/// this girth of the arm [m].
 [[noreturn]] void throw_sleeve_too_wide(const ShirtMeasures& measures, const ShirtFit& fit,
-                                        double armhole);
+                                        double arm, double armhole);
 /// Shoulder, underarm, waist and hem must follow each other downwards (y below the high point
 /// shoulder, negative).
 void check_shirt_levels(const ShirtMeasures& measures, const ShirtFit& fit, double shoulder_y,

@@ -10,6 +10,7 @@
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_checks.h"
 #include "loosefit/kinds/shirt/shirt_placement.h"
+#include "loosefit/kinds/shirt/sleeve_ease.h"
 #include "loosefit/pattern/drafting.h"
 #include "loosefit/pattern/outline.h"
 
@@ -93,43 +94,24 @@ pattern::Panel sleeve_panel(const std::string& name, const SleeveHalf& half, boo
   return pattern::draft_panel(name, "arm", loop);
 }
 
-/// Levels of the sleeve below the underarm: how far from the shoulder point, and its girth there.
-/// Towards the hand it never widens by itself: what the forearm needs the elbow gets too. Where no
-/// other girth is asked for it tapers evenly if that leaves more room.
-std::vector<ArmLevel> sleeve_levels(const ShirtMeasures& m, const ShirtFit& fit, double underarm) {
-  constexpr double kApart = 0.02;  // between two levels [m]
-  std::vector<ArmLevel> levels = arm_levels(m, fit);
-  for (ArmLevel& level : levels) level.girth *= 1 + level.mobility;
-  // A cuff is a tube: it has the asked ease where the arm is thickest under it, at its seam.
-  const double end = fit.sleeve_length * m.arm_length - fit.cuff;
-  const double held = fit.cuff > 0 ? 1 - fit.cuff_stretch : 1.0;
-  std::vector<ArmLevel> kept = {
-      {end, (1 + fit.wrist) * arm_girth_at(m, end / m.arm_length) / held, 0}};
-  const double upper = levels[0].girth, cuff = kept.front().girth;
-  for (int i : {2, 1}) {
-    if (levels[i].along > kept.back().along - kApart || levels[i].along < underarm + kApart)
-      continue;
-    const bool asked = i == 2 ? fit.forearm.has_value() : fit.elbow.has_value();
-    const double even = upper + (levels[i].along - underarm) / (end - underarm) * (cuff - upper);
-    const double girth = asked ? levels[i].girth : std::max(levels[i].girth, even);
-    kept.push_back({levels[i].along, std::max(girth, kept.back().girth), 0});
-  }
-  std::reverse(kept.begin(), kept.end());
-  return kept;
-}
-
-Draft draft_at(const ShirtMeasures& m, const ShirtFit& fit, double depth, double drop) {
+/// `arm`: girth of the arm that the sleeve counts against.
+Draft draft_at(const ShirtMeasures& m, const ShirtFit& fit, double arm, double depth, double drop) {
   Draft d{draft_torso_half(m, fit, depth, true, drop),
           draft_torso_half(m, fit, depth, false, drop),
           {}};
   d.cap = fit_caps((1 + fit.cap_ease) * d.front.armhole.length(),
-                   (1 + fit.cap_ease) * d.back.armhole.length(), (1 + fit.sleeve) * m.upper_arm);
+                   (1 + fit.cap_ease) * d.back.armhole.length(), (1 + fit.sleeve) * arm);
   return d;
 }
 
+/// From the body's shoulder point to the end of the cap; a dropped shoulder is taken off the sleeve.
+double underarm_of(const Draft& d, const ShirtMeasures& m) {
+  return d.cap->height + d.front.shoulder_x - shoulder_half_width(m);
+}
+
 /// Moves underarm and shoulder point until the cap is neither flat nor steep; girths stay.
-Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& report) {
-  const auto at = [&](double depth, double drop) { return draft_at(m, fit, depth, drop); };
+Draft balance(const ShirtMeasures& m, const ShirtFit& fit, double arm, ShirtDraftReport& report) {
+  const auto at = [&](double depth, double drop) { return draft_at(m, fit, arm, depth, drop); };
   const double first = m.scye_depth + fit.scye_ease;
   double depth = first, drop = 0;
   Draft d = at(depth, drop);
@@ -166,42 +148,65 @@ Draft balance(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& rep
   return d;
 }
 
+/// A draft whose sleeve has its ease where its cap ends: how far down that is depends on how wide
+/// the sleeve is.
+Draft balance_sleeve(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport& report,
+                     double& arm) {
+  constexpr int kRounds = 5;
+  constexpr double kEqual = 0.0005;  // [m]
+  arm = arm_under_sleeve(m, fit, m.scye_depth + fit.scye_ease);
+  Draft d = balance(m, fit, arm, report);
+  for (int round = 0; round < kRounds && d.cap; ++round) {
+    const double there = arm_under_sleeve(m, fit, underarm_of(d, m));
+    if (std::abs(there - arm) < kEqual) break;
+    arm = there;
+    d = balance(m, fit, arm, report);
+  }
+  return d;
+}
+
 }  // namespace
 
 bool sleeve_fits_armhole(const ShirtMeasures& m, const ShirtFit& fit) {
-  return draft_at(m, fit, m.scye_depth + fit.scye_ease + kDeepest * kStep, 0).cap.has_value();
+  const double depth = m.scye_depth + fit.scye_ease + kDeepest * kStep;
+  return draft_at(m, fit, arm_under_sleeve(m, fit, depth), depth, 0).cap.has_value();
 }
 
 pattern::Pattern draft_shirt(const ShirtMeasures& m, const ShirtFit& fit, ShirtDraftReport* report,
                              const ShirtPlacement& placement) {
   check_shirt_input(m, fit);
   ShirtDraftReport result;
-  Draft d = balance(m, fit, result);
-  if (!d.cap) throw_sleeve_too_wide(m, fit, d.front.armhole.length() + d.back.armhole.length());
+  double arm = 0;
+  Draft d = balance_sleeve(m, fit, result, arm);
+  if (!d.cap)
+    throw_sleeve_too_wide(m, fit, arm, d.front.armhole.length() + d.back.armhole.length());
 
   check_shirt_levels(m, fit, d.front.shoulder.end().y(), d.front.armhole.end().y());
   const bool dart = take_bust_dart(d.front, d.back, m, fit);
 
-  const double upper = (1 + fit.sleeve) * m.upper_arm;
+  const double upper = (1 + fit.sleeve) * arm;
   const double front_width = d.cap->front_share * upper;
-  // A dropped shoulder is taken off the sleeve.
-  const double dropped = d.front.shoulder_x - shoulder_half_width(m);
-  const double underarm = d.cap->height + dropped;  // from the body's shoulder point
-  const std::vector<ArmLevel> levels = sleeve_levels(m, fit, underarm);
-  const double under_length = levels.back().along - underarm;
+  const double underarm = underarm_of(d, m);
+  const GirthLine girths = sleeve_girths(m, fit, underarm);
+  const double under_length = girths.back().along - underarm;
   // Both halves taper alike, which keeps the two underarm seams equal.
   const auto widths = [&](double width) {
     std::vector<Vec2> at = {{width, 0}};
-    for (const ArmLevel& level : levels)
-      at.emplace_back(width - 0.5 * (upper - level.girth), underarm - level.along);
+    for (const GirthAt& g : girths)
+      at.emplace_back(width - 0.5 * (upper - g.girth), underarm - g.along);
     return at;
   };
   SleeveHalf sleeve_before = draft_sleeve_half(widths(front_width), d.cap->height),
              sleeve_behind = draft_sleeve_half(widths(upper - front_width), d.cap->height);
+  // A dart at the elbow needs a place of the sleeve there, with sleeve above and below it.
+  const auto elbow = std::min_element(
+      girths.begin(), girths.end(), [&](const GirthAt& a, const GirthAt& b) {
+        return std::abs(a.along - m.elbow_length) < std::abs(b.along - m.elbow_length);
+      });
   const bool elbow_dart =
-      levels.size() == 3 &&
-      take_elbow_dart(sleeve_before, sleeve_behind, underarm - levels.front().along,
-                      levels.front().girth, fit.elbow_bend);
+      has_elbow(m, fit, underarm) &&
+      take_elbow_dart(sleeve_before, sleeve_behind, underarm - elbow->along, elbow->girth,
+                      fit.elbow_bend);
 
   pattern::Pattern shirt;
   shirt.name = fit.sleeve_length < 1 ? "short-sleeve-shirt" : "long-sleeve-shirt";

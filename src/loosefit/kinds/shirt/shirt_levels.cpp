@@ -7,6 +7,7 @@
 #include "loosefit/kinds/shirt/shirt_blocks.h"
 #include "loosefit/kinds/shirt/shirt_values.h"
 #include "loosefit/kinds/shirt/side_seams.h"
+#include "loosefit/kinds/shirt/sleeve_ease.h"
 #include "loosefit/kinds/shirt/sleeve_width.h"
 #include "loosefit/pattern/outline.h"
 
@@ -21,7 +22,7 @@ std::optional<double> value_of(const NamedValues& values, const char* name) {
 }
 
 /// Girth of the arm where a sleeve of this share of its length ends.
-std::optional<double> arm_at(const NamedValues& measures, double share) {
+std::optional<double> arm_at(const BodyMeasures& measures, double share) {
   if (!measures.count("upper_arm") || !measures.count("wrist")) return std::nullopt;
   return arm_girth_at(shirt_measures_of(measures), share);
 }
@@ -32,6 +33,41 @@ double underarm_level(const pattern::Panel& piece) {
   if (e < 0) return 0;
   const pattern::PanelEdge& armhole = piece.edges[e];
   return std::min(piece.vertices[armhole.start].y(), piece.vertices[armhole.end].y());
+}
+
+/// Where the cap of a sleeve is.
+struct CapPlace {
+  double top = 0, foot = 0;  ///< y of its ends
+  double dropped = 0;        ///< of its top beyond the body's shoulder point [m]
+  /// How far below the shoulder point it ends [m].
+  double underarm() const { return top - foot + dropped; }
+};
+/// Nothing without sleeves. The cap begins where the shoulder of the piece ends, beyond the body's
+/// shoulder point.
+std::optional<CapPlace> cap_place(const pattern::Pattern& shirt, const ShirtMeasures& m) {
+  const int front = shirt.find_part("front"), sleeve = shirt.find_part("sleeve_L_front");
+  if (front < 0 || sleeve < 0) return {};
+  const auto ends = [&](int panel, const char* edge) -> std::optional<std::pair<Vec2, Vec2>> {
+    const pattern::Panel& piece = shirt.panels[panel];
+    const int e = pattern::find_edge_part(piece, edge);
+    if (e < 0) return {};
+    return std::pair{piece.vertices[piece.edges[e].start], piece.vertices[piece.edges[e].end]};
+  };
+  const auto cap = ends(sleeve, "cap"), seam = ends(front, "shoulder_L");
+  if (!cap || !seam) return {};
+  const double shoulder_end = std::max(std::abs(seam->first.x()), std::abs(seam->second.x()));
+  return CapPlace{std::max(cap->first.y(), cap->second.y()),
+                  std::min(cap->first.y(), cap->second.y()),
+                  shoulder_end - shoulder_half_width(m)};
+}
+
+/// Girth of the arm that the width of a sleeve counts against; nothing where it is not known.
+std::optional<double> arm_of_sleeve(const pattern::Pattern& shirt, const BodyMeasures& measures,
+                                    const NamedValues& fit) {
+  if (!measures.count("upper_arm")) return {};
+  const ShirtMeasures m = shirt_measures_of(measures);
+  const std::optional<CapPlace> cap = cap_place(shirt, m);
+  return cap ? arm_under_sleeve(m, shirt_fit_of(fit), cap->underarm()) : m.upper_arm;
 }
 
 double lowest(const pattern::Panel& piece) {
@@ -103,7 +139,7 @@ NamedValues shirt_girths(const pattern::Pattern& shirt, double hps_to_waist) {
   return girths;
 }
 
-std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedValues& measures,
+std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const BodyMeasures& measures,
                                    const NamedValues& fit) {
   const std::optional<double> waist_level = value_of(measures, "hps_to_waist");
   const NamedValues girths = shirt_girths(shirt, waist_level.value_or(0));
@@ -115,7 +151,7 @@ std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedVal
   add("chest", "chest", value_of(measures, "chest"));
   if (waist_level) add("waist", "waist", value_of(measures, "waist"));
   add("hip", "hip", value_of(measures, "hip"));
-  add("sleeve", "sleeve", value_of(measures, "upper_arm"));
+  add("sleeve", "sleeve", arm_of_sleeve(shirt, measures, fit));
   const double length = value_of(fit, "sleeve_length").value_or(1);
   // A cuff counts against the arm at its seam.
   const int cuff = shirt.find_part("cuff_L_front");
@@ -130,8 +166,8 @@ std::vector<FitLevel> shirt_levels(const pattern::Pattern& shirt, const NamedVal
   return levels;
 }
 
-std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const NamedValues& measures,
-                                       const NamedValues& fit) {
+std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt,
+                                       const BodyMeasures& measures, const NamedValues& fit) {
   const auto piece = [&](const char* part) {
     const int p = shirt.find_part(part);
     return p < 0 ? nullptr : &shirt.panels[p];
@@ -157,34 +193,34 @@ std::vector<FitStation> shirt_stations(const pattern::Pattern& shirt, const Name
   const double end = std::min(m.hps_to_hem, hem ? -hem->highest : m.hps_to_hem);
   stations = stations_along(
       "trunk", {back}, underarm, end, [](double along) { return -along; }, trunk);
-  for (FitStation& s : stations) s.garment += before.apart(behind.down_to(-s.along));
+  for (FitStation& s : stations) {
+    const double down = behind.down_to(-s.along);
+    s.garment += before.apart(down);
+    s.lines.push_back({front->part, before.level(down)});
+  }
 
-  // Arm: the cap begins where the shoulder of the piece ends, beyond the body's shoulder point.
   const pattern::Panel *sleeve_front = piece("sleeve_L_front"),
                        *sleeve_back = piece("sleeve_L_back");
-  const int cap = sleeve_front ? pattern::find_edge_part(*sleeve_front, "cap") : -1;
-  const int shoulder = pattern::find_edge_part(*front, "shoulder_L");
-  if (cap < 0 || !sleeve_back || shoulder < 0) return stations;
-  const pattern::PanelEdge& cap_edge = sleeve_front->edges[cap];
-  const double cap_top = std::max(sleeve_front->vertices[cap_edge.start].y(),
-                                  sleeve_front->vertices[cap_edge.end].y());
-  const pattern::PanelEdge& seam = front->edges[shoulder];
-  const double shoulder_end =
-      std::max(std::abs(front->vertices[seam.start].x()), std::abs(front->vertices[seam.end].x()));
-  const double dropped = shoulder_end - shoulder_half_width(m);
+  const std::optional<CapPlace> cap = cap_place(shirt, m);
+  if (!cap || !sleeve_back) return stations;
+  const double top = cap->top, dropped = cap->dropped;
   std::vector<AskedMobility> arm;
   if (asked)
-    for (const ArmLevel& level : arm_levels(m, f)) arm.push_back({level.along, level.mobility});
+    arm = sleeve_eases(m, f, cap->underarm());
   std::vector<FitStation> sleeve = stations_along(
-      "arm", {sleeve_front}, cap_top + dropped, m.arm_length,
-      [&](double along) { return cap_top + dropped - along; }, arm);
-  for (FitStation& s : sleeve) s.garment += width_below_cap(*sleeve_back, s.along - dropped);
+      "arm", {sleeve_front}, cap->underarm(), m.arm_length,
+      [&](double along) { return top + dropped - along; }, arm);
+  for (FitStation& s : sleeve) {
+    s.garment += width_below_cap(*sleeve_back, s.along - dropped);
+    s.lines.push_back({sleeve_back->part, top + dropped - s.along});
+  }
   stations.insert(stations.end(), sleeve.begin(), sleeve.end());
 
   // A cuff goes on where the sleeve ends; y = 0 is its seam.
   const pattern::Panel *cuff_front = piece("cuff_L_front"), *cuff_back = piece("cuff_L_back");
   if (!cuff_front || !cuff_back) return stations;
-  const double cuff_seam = cap_top + dropped - lowest(*sleeve_front);
+  const double cuff_seam = top + dropped - lowest(*sleeve_front);
+  if (asked) arm = {{cuff_seam, f.wrist}};
   const std::vector<FitStation> cuff = stations_along(
       "arm", {cuff_front, cuff_back}, cuff_seam, cuff_seam - lowest(*cuff_front),
       [&](double along) { return cuff_seam - along; }, arm);

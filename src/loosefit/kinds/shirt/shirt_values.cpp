@@ -13,33 +13,8 @@ ShirtFit usual_shirt_fit() {
           .sleeve = 0.25,
           .wrist = 0.25,
           .cap_ease = 0.02,
+          .sleeve_follow = 1,
           .cuff_stretch = 0.10};
-}
-
-std::vector<ArmLevel> arm_levels(const ShirtMeasures& m, const ShirtFit& fit) {
-  // The upper arm is taped at 30 % of its length, the forearm at 25 % (docs/theory/body_model.md).
-  const double fullest = m.elbow_length + 0.25 * (m.arm_length - m.elbow_length);
-  std::vector<ArmLevel> levels = {{0.3 * m.elbow_length, m.upper_arm, fit.sleeve},
-                                  {m.elbow_length, m.elbow, 0},
-                                  {fullest, m.forearm, 0},
-                                  {m.arm_length, m.wrist, fit.wrist}};
-  const double first = levels[0].along, way = levels[3].along - first;
-  const std::optional<double> asked[2] = {fit.elbow, fit.forearm};
-  for (int i : {1, 2}) {
-    const double share = (levels[i].along - first) / way;
-    levels[i].mobility = asked[i - 1].value_or(fit.sleeve + share * (fit.wrist - fit.sleeve));
-  }
-  return levels;
-}
-
-double arm_girth_at(const ShirtMeasures& m, double share) {
-  const std::vector<ArmLevel> levels = arm_levels(m, {});
-  const double along = share * m.arm_length;
-  if (along <= levels.front().along) return levels.front().girth;
-  for (std::size_t i = 1; i < levels.size(); ++i)
-    if (const ArmLevel& a = levels[i - 1], &b = levels[i]; along <= b.along)
-      return a.girth + (along - a.along) / (b.along - a.along) * (b.girth - a.girth);
-  return levels.back().girth;
 }
 
 const std::vector<ShirtMeasure>& shirt_measure_list() {
@@ -103,6 +78,7 @@ const std::vector<ShirtFitValue>& shirt_fit_list() {
                                                    {"sleeve_length", &F::sleeve_length},
                                                    {"bust_dart", &F::bust_dart},
                                                    {"back_waist", &F::back_waist},
+                                                   {"sleeve_follow", &F::sleeve_follow},
                                                    {"elbow_bend", &F::elbow_bend},
                                                    {"neckband_width", &F::neckband},
                                                    {"neckband_stretch", &F::neckband_stretch},
@@ -120,8 +96,9 @@ const std::vector<ShirtFitOption>& shirt_fit_options() {
   return kList;
 }
 
-ShirtMeasures shirt_measures_of(const NamedValues& values, const ShirtMeasures& otherwise) {
+ShirtMeasures shirt_measures_of(const BodyMeasures& values, const ShirtMeasures& otherwise) {
   ShirtMeasures measures = otherwise;
+  measures.along = values.along;
   for (const ShirtMeasure& m : shirt_measure_list())
     if (const auto found = values.find(m.name); found != values.end())
       measures.*m.field = found->second;
@@ -139,8 +116,9 @@ ShirtFit shirt_fit_of(const NamedValues& values, const ShirtFit& otherwise) {
   return fit;
 }
 
-NamedValues named(const ShirtMeasures& measures) {
-  NamedValues values;
+BodyMeasures named(const ShirtMeasures& measures) {
+  BodyMeasures values;
+  values.along = measures.along;
   for (const ShirtMeasure& m : shirt_measure_list()) values[m.name] = measures.*m.field;
   return values;
 }

@@ -34,6 +34,7 @@ struct ShirtMeasures {
   double bust_balance = 0;           ///< shoulder seam to bust level, front longer than back
   double bust_span = 0.1936;         ///< between the bust points
   double hps_to_bust = 0.272;        ///< high point shoulder to bust level, down the front
+  GirthsAlong along = {};            ///< along the limbs; empty for a table of sizes
 };
 
 /// Body-garment mobility of each level, garment girth / body girth − 1 (Harms et al. 2012), and
@@ -59,6 +60,9 @@ struct ShirtFit {
   double sleeve_length = 1.0;
   double bust_dart = 0;   ///< share of the bust balance that darts at the sides take up
   double back_waist = 0;  ///< taken in at the waist by darts of the back [m]
+  /// 1: every place of the sleeve has the ease asked for there; 0: it tapers evenly from the upper
+  /// arm where that leaves more room (sleeve_ease.h).
+  double sleeve_follow = 0;
   /// Bend at the elbow for which the sleeve is cut [degrees]; its length is taken up in a dart.
   double elbow_bend = 0;
   double neckband = 0;  ///< width of the strip round the neck [m]; 0: none
@@ -74,20 +78,6 @@ struct ShirtFit {
 
 /// The fit of a shirt where nothing else is asked for: the only place of these defaults.
 ShirtFit usual_shirt_fit();
-
-/// A level of the arm, where a sleeve has its ease.
-struct ArmLevel {
-  double along = 0;     ///< from the shoulder point [m]
-  double girth = 0;     ///< of the arm [m]
-  double mobility = 0;  ///< of the sleeve there
-};
-/// Upper arm, elbow, the fullest of the forearm, wrist. The upper arm's girth holds from the
-/// shoulder down to its own level.
-std::vector<ArmLevel> arm_levels(const ShirtMeasures& measures, const ShirtFit& fit);
-
-/// Girth of the arm at a share of the way from the shoulder point to the wrist [m], even between
-/// its levels.
-double arm_girth_at(const ShirtMeasures& measures, double share);
 
 /// A measure with its name and the range of people [m, rad].
 struct ShirtMeasure {
@@ -118,9 +108,9 @@ const std::vector<ShirtFitOption>& shirt_fit_options();
 
 /// The same as named values and back; of a missing one the value of `otherwise` stays, and measures
 /// that follow from others follow from them.
-ShirtMeasures shirt_measures_of(const NamedValues& values, const ShirtMeasures& otherwise = {});
+ShirtMeasures shirt_measures_of(const BodyMeasures& values, const ShirtMeasures& otherwise = {});
 ShirtFit shirt_fit_of(const NamedValues& values, const ShirtFit& otherwise = {});
-NamedValues named(const ShirtMeasures& measures);
+BodyMeasures named(const ShirtMeasures& measures);
 NamedValues named(const ShirtFit& fit);
 
 /// A piece of the draft.

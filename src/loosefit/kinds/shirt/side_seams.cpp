@@ -46,6 +46,12 @@ double SideSeams::down_to(double y) const {
   return 0.5 * (low + high);
 }
 
+double SideSeams::level(double down) const {
+  if (left_.empty() || right_.empty()) return 0;
+  const double share = down / length(left_);
+  return 0.5 * (place(left_, down).y() + place(right_, share * length(right_)).y());
+}
+
 double SideSeams::apart(double down) const {
   if (left_.empty() || right_.empty()) return 0;
   // Two unequal seams of somebody's file: as far down each as a share of its length.

@@ -14,6 +14,8 @@ class SideSeams {
   double down_to(double y) const;
   /// Distance between the two seams so far down [m]; 0 without seams.
   double apart(double down) const;
+  /// Mean level of both so far down [m]; 0 without seams.
+  double level(double down) const;
 
  private:
   /// A part of a seam, travelled downwards.

@@ -107,7 +107,7 @@ DraftedGarment draft(const DraftRequest& request) {
         drafted.fit[level] = girth->second;
     }
   }
-  NamedValues& m = drafted.measures;
+  BodyMeasures& m = drafted.measures;
   const auto raise = [&](const char* name, double least, const char* otherwise) {
     double& value = m.at(name);
     const std::string key = std::string("measures.") + name;

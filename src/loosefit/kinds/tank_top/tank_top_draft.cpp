@@ -32,12 +32,13 @@ double measure(const NamedValues& m, const char* name) {
   return found == m.end() ? 0 : found->second;
 }
 
-TorsoLevels levels_of(const NamedValues& m, const NamedValues& fit) {
+TorsoLevels levels_of(const BodyMeasures& m, const NamedValues& fit) {
   const double shoulder = m.at("shoulder_breadth") / 2 - m.at("neck") / 5;
   TorsoLevels levels;
   levels.chest = m.at("chest"), levels.waist = m.at("waist"), levels.hip = m.at("hip");
   levels.chest_fit = fit.at("chest"), levels.hip_fit = fit.at("hip");
   if (const auto waist = fit.find("waist"); waist != fit.end()) levels.waist_fit = waist->second;
+  levels.trunk = m.along.trunk;
   levels.front_fullness = measure(m, "front_fullness");
   levels.underarm_y =
       -std::tan(m.at("shoulder_slope")) * shoulder - m.at("scye_depth") - fit.at("scye_ease");
@@ -48,12 +49,12 @@ TorsoLevels levels_of(const NamedValues& m, const NamedValues& fit) {
 }
 
 /// Half the breadth at the underarm of the narrower piece [m].
-double narrow_underarm(const NamedValues& m, const NamedValues& fit) {
+double narrow_underarm(const BodyMeasures& m, const NamedValues& fit) {
   const TorsoLevels levels = levels_of(m, fit);
   return (1 + levels.chest_fit) * levels.chest / 4 - std::abs(side_shift(levels, true));
 }
 
-Half draft_half(const NamedValues& m, const NamedValues& fit, bool front) {
+Half draft_half(const BodyMeasures& m, const NamedValues& fit, bool front) {
   // The body's shoulder runs from the side of the neck down to the shoulder point.
   const double x_neck = m.at("neck") / 5, x_shoulder = m.at("shoulder_breadth") / 2;
   const double slope = std::tan(m.at("shoulder_slope")), length = x_shoulder - x_neck;
@@ -106,7 +107,7 @@ pattern::Panel piece(const Half& half, bool front) {
 
 }  // namespace
 
-StrapRoom strap_room(const NamedValues& m, const NamedValues& fit) {
+StrapRoom strap_room(const BodyMeasures& m, const NamedValues& fit) {
   const double x_neck = m.at("neck") / 5, length = m.at("shoulder_breadth") / 2 - x_neck;
   const double underarm = narrow_underarm(m, fit), width = fit.at("strap_width");
   StrapRoom room;
@@ -118,17 +119,17 @@ StrapRoom strap_room(const NamedValues& m, const NamedValues& fit) {
   return room;
 }
 
-double shortest_tank_top(const NamedValues& m, const NamedValues& fit) {
+double shortest_tank_top(const BodyMeasures& m, const NamedValues& fit) {
   const double length = m.at("shoulder_breadth") / 2 - m.at("neck") / 5;
   return std::tan(m.at("shoulder_slope")) * length + m.at("scye_depth") + fit.at("scye_ease") +
          kLeastSide;
 }
 
-double least_front_balance(const NamedValues& m, const NamedValues& fit) {
+double least_front_balance(const BodyMeasures& m, const NamedValues& fit) {
   return shortest_tank_top(m, fit) - kLeastSide / 2 - m.at("hps_to_hem");
 }
 
-pattern::Pattern draft_tank_top(const NamedValues& m, const NamedValues& fit) {
+pattern::Pattern draft_tank_top(const BodyMeasures& m, const NamedValues& fit) {
   const auto refuse_below = [&](const char* key, double least, const char* why) {
     if (!(m.at(key) >= least))
       throw InvalidInput({{}, 0, std::string("measures.") + key},

@@ -10,7 +10,7 @@ namespace loosefit::kinds {
 /// body's front_balance and front_fullness, where these are known. Placed flat before and behind
 /// the body. `measures` and `fit` as the kind names them (tank_top.cpp). \throws InvalidInput for
 /// measures that do not make a garment together.
-pattern::Pattern draft_tank_top(const NamedValues& measures, const NamedValues& fit);
+pattern::Pattern draft_tank_top(const BodyMeasures& measures, const NamedValues& fit);
 
 /// How much room a chest leaves for the straps, which stand on the shoulder inside the underarm.
 struct StrapRoom {
@@ -18,13 +18,13 @@ struct StrapRoom {
   double place = 1;        ///< most that fit.strap_place can be with that strap_width [–]
   double least_chest = 0;  ///< least fit.chest with room for any strap [–]
 };
-StrapRoom strap_room(const NamedValues& measures, const NamedValues& fit);
+StrapRoom strap_room(const BodyMeasures& measures, const NamedValues& fit);
 
 /// The least measures.hps_to_hem that it can be drafted with [m].
-double shortest_tank_top(const NamedValues& measures, const NamedValues& fit);
+double shortest_tank_top(const BodyMeasures& measures, const NamedValues& fit);
 
 /// The least measures.front_balance that it can be drafted with [m]: the middle of a front that is
 /// shorter than the back still ends as far below the underarm as half the shortest side seam.
-double least_front_balance(const NamedValues& measures, const NamedValues& fit);
+double least_front_balance(const BodyMeasures& measures, const NamedValues& fit);
 
 }  // namespace loosefit::kinds

@@ -103,7 +103,7 @@ double edge_length(const pattern::Pattern& p, const std::string& part, const cha
   return e < 0 ? 0 : pattern::EdgePath(p.panels[panel], e).length();
 }
 
-std::vector<FitLevel> levels(const pattern::Pattern& p, const NamedValues& measures,
+std::vector<FitLevel> levels(const pattern::Pattern& p, const BodyMeasures& measures,
                              const NamedValues& fit) {
   std::vector<FitLevel> found;
   const auto measured = [&](const char* name) -> std::optional<double> {
@@ -144,6 +144,36 @@ std::vector<FitLevel> levels(const pattern::Pattern& p, const NamedValues& measu
   return found;
 }
 
+/// Down the left leg, from below the crotch to the hem.
+std::vector<FitStation> stations(const pattern::Pattern& p, const BodyMeasures& measures,
+                                 const NamedValues& fit) {
+  const auto piece = [&](const char* part) {
+    const int found = p.find_part(part);
+    return found < 0 ? nullptr : &p.panels[found];
+  };
+  const auto crotch = measures.find("crotch_height");
+  if (crotch == measures.end()) return {};
+  const pattern::Panel *front = piece("front_L"), *back = piece("back_L");
+  if (!front || !back) return {};
+  double tip = -1e9, hem = -1e9;  // lowest end of a crotch curve, highest end of a hem
+  for (const pattern::Panel* panel : {front, back}) {
+    const int inseam = pattern::find_edge_part(*panel, "inseam");
+    if (inseam < 0) return {};
+    const Vec2 &a = panel->vertices[panel->edges[inseam].start],
+               &b = panel->vertices[panel->edges[inseam].end];
+    tip = tip == -1e9 ? std::max(a.y(), b.y()) : std::min(tip, std::max(a.y(), b.y()));
+    hem = std::max(hem, std::min(a.y(), b.y()));
+  }
+  const std::vector<AskedMobility> asked =
+      fit.empty() ? std::vector<AskedMobility>{} : leg_eases(measures, fit);
+  std::vector<FitStation> found = stations_along(
+      "leg", {front, back}, crotch->second - tip, crotch->second - hem,
+      [&](double along) { return crotch->second - along; }, asked);
+  for (FitStation& s : found)
+    if (s.asked && !is_ease_asked(measures, fit, s.along)) s.asked.reset();
+  return found;
+}
+
 GarmentKind make_kind(const char* name, const char* title, const Usual& usual) {
   GarmentKind kind;
   kind.name = name;
@@ -152,6 +182,7 @@ GarmentKind make_kind(const char* name, const char* title, const Usual& usual) {
   kind.keys = keys(usual);
   kind.draft = [name, usual](const DraftRequest& request) { return draft(name, usual, request); };
   kind.levels = levels;
+  kind.stations = stations;
   kind.lay = lay_trousers;
   kind.openings = {{OpeningUse::waist,
                     {{"waistband_front", "rim"},

@@ -36,7 +36,7 @@ pattern::Panel piece(const Leg& leg, const std::string& name, bool outseam_right
 }
 
 /// A strip of two layers, its lower edge in two halves, each sewn to one leg.
-pattern::Panel band(const NamedValues& m, const NamedValues& fit, bool front) {
+pattern::Panel band(const BodyMeasures& m, const NamedValues& fit, bool front) {
   const double length = (front ? kFrontShare : 1 - kFrontShare) * (1 + fit.at("waistband")) *
                         m.at("waist"),
                width = fit.at("waistband_width");
@@ -81,7 +81,7 @@ void place(pattern::Pattern& trousers, double waist_edge) {
   }
 }
 
-void check_lengths(const NamedValues& m, const NamedValues& fit) {
+void check_lengths(const BodyMeasures& m, const NamedValues& fit) {
   const auto refuse = [](const std::string& key, double found, double least, const char* why) {
     throw InvalidInput({{}, 0, key}, fmt::format("{:.4g}", found),
                        fmt::format("at least {:.3f}, {}", told_least(least), why));
@@ -108,7 +108,7 @@ void check_lengths(const NamedValues& m, const NamedValues& fit) {
 
 }  // namespace
 
-pattern::Pattern draft_trousers(const char* kind, const NamedValues& m, const NamedValues& fit,
+pattern::Pattern draft_trousers(const char* kind, const BodyMeasures& m, const NamedValues& fit,
                                 const std::set<std::string>& asked) {
   check_lengths(m, fit);
   const Easing easing = ease_legs(m, fit);

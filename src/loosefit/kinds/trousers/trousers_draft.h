@@ -15,7 +15,7 @@ namespace loosefit::kinds {
 /// within 2 mm (trousers_seams.h). `measures` and `fit` as the kind names them; `asked`: keys of
 /// the fit that somebody asked for, which are complained of before others. \throws InvalidInput for
 /// measures that do not make a garment together.
-pattern::Pattern draft_trousers(const char* kind, const NamedValues& measures,
+pattern::Pattern draft_trousers(const char* kind, const BodyMeasures& measures,
                                 const NamedValues& fit, const std::set<std::string>& asked = {});
 
 }  // namespace loosefit::kinds

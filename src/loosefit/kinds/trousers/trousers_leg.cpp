@@ -17,18 +17,22 @@ constexpr double kBackRise = 0.015;   ///< the waist of the back, higher at the 
 constexpr double kFrontCentre = 0.25, kBackCentre = 0.5, kMostCentre = 0.032;
 
 /// Mobility asked for at a height, between the levels that have one.
-double leg_mobility_at(const NamedValues& m, const NamedValues& fit, double height) {
-  const double crotch = m.at("crotch_height"), hem = hem_height(m, fit);
-  std::vector<std::pair<double, double>> asked;  // height, mobility; upwards
-  asked.push_back({hem, fit.at("hem")});
-  for (const auto& [key, level] : {std::pair{"calf", kCalfLevel}, {"knee", kKneeLevel}})
-    if (fit.count(key) && level * crotch > hem) asked.push_back({level * crotch, fit.at(key)});
-  for (std::size_t i = 1; i < asked.size(); ++i)
-    if (height < asked[i].first) {
-      const double share = (height - asked[i - 1].first) / (asked[i].first - asked[i - 1].first);
-      return asked[i - 1].second + share * (asked[i].second - asked[i - 1].second);
-    }
-  return asked.back().second;
+double leg_mobility_at(const BodyMeasures& m, const NamedValues& fit, double height) {
+  return *mobility_at(leg_eases(m, fit), m.at("crotch_height") - height);
+}
+
+/// Heights of the body's stations between two heights at which the leg has the ease between two
+/// asked ones, downwards, none nearer than a centimetre to an end.
+std::vector<double> stations_between(const BodyMeasures& m, const NamedValues& fit, double upper,
+                                     double lower) {
+  constexpr double kApart = 0.01;  // [m]
+  std::vector<double> heights;
+  for (const GirthAt& g : m.along.leg) {
+    const double y = m.at("crotch_height") - g.along;
+    if (y < upper - kApart && y > lower + kApart && is_ease_asked(m, fit, g.along))
+      heights.push_back(y);
+  }
+  return heights;
 }
 
 /// A smooth line x(y) through points from above downwards: slopes of the monotone cubic
@@ -55,13 +59,13 @@ CurveChain smooth_down(const std::vector<Vec2>& points, double first_slope) {
 
 }  // namespace
 
-bool has_thigh_level(const NamedValues& m, const NamedValues& fit) {
+bool has_thigh_level(const BodyMeasures& m, const NamedValues& fit) {
   const double crotch = m.at("crotch_height"), y = kThighLevel * crotch;
   return fit.count("thigh") && y < crotch - fit.at("crotch_ease") - kBelowTip &&
          y > std::max(kKneeLevel * crotch, hem_height(m, fit)) + 0.05;
 }
 
-Leg draft_leg(const NamedValues& m, const NamedValues& fit, bool front, const Easing& easing) {
+Leg draft_leg(const BodyMeasures& m, const NamedValues& fit, bool front, const Easing& easing) {
   const double share = front ? kFrontShare : 1 - kFrontShare;
   const double crotch = m.at("crotch_height"), hip = hip_girth(m, fit);
   const double y_edge = waist_edge_height(m, fit), y_hem = hem_height(m, fit);
@@ -90,20 +94,39 @@ Leg draft_leg(const NamedValues& m, const NamedValues& fit, bool front, const Ea
   const auto girth = [&](double y) {
     return (1 + leg_mobility_at(m, fit, y)) * leg_girth_at(m, y);
   };
+  double above = y_crotch;  // of the next station
   if (has_thigh_level(m, fit)) {
-    const double y = kThighLevel * crotch, y_below = std::max(y_knee, y_hem);
-    const double given = (front ? -1 : 1) * easing.thigh_to_back;
-    const double wide = share * (1 + fit.at("thigh")) * leg_girth_at(m, y) + given;
-    // Its outer end on the straight line from hip to knee, eased like the seam.
-    const double down = (y_hip - y) / (y_hip - y_below);
-    const double x = x_out + down * down * (3 - 2 * down) * (share * girth(y_below) / 2 - x_out);
-    out.push_back({x, y});
-    in.push_back({x - wide, y});
+    const double y_thigh = kThighLevel * crotch, y_below = std::max(y_knee, y_hem);
+    const auto add_thigh = [&](double y) {
+      // What a piece gives to the other one fades down to the knee.
+      const double given =
+          (front ? -1 : 1) * easing.thigh_to_back * (y - y_below) / (y_thigh - y_below);
+      const double wide = share * girth(y) + given;
+      // Its outer end on the straight line from hip to knee, eased like the seam.
+      const double down = (y_hip - y) / (y_hip - y_below);
+      const double x = x_out + down * down * (3 - 2 * down) * (share * girth(y_below) / 2 - x_out);
+      out.push_back({x, y});
+      in.push_back({x - wide, y});
+    };
+    add_thigh(y_thigh);
+    for (const double y : stations_between(m, fit, y_thigh, y_below)) add_thigh(y);
+    above = y_below;
   }
-  if (y_knee > y_hem + 0.03) add_level(y_knee, girth(y_knee), 0);
+  const auto add_down_to = [&](double y) {
+    for (const double between : stations_between(m, fit, above, y))
+      add_level(between, girth(between), 0);
+    above = y;
+  };
+  if (y_knee > y_hem + 0.03) {
+    above = y_knee;
+    add_level(y_knee, girth(y_knee), 0);
+  }
   // Straight from knee to hem where nothing is asked for: the hem hangs from the calf.
-  if (const double y = kCalfLevel * crotch; fit.count("calf") && y > y_hem + 0.03)
+  if (const double y = kCalfLevel * crotch; fit.count("calf") && y > y_hem + 0.03) {
+    add_down_to(y);
     add_level(y, girth(y), 0);
+  }
+  add_down_to(y_hem);
   add_level(y_hem, girth(y_hem), 0);
 
   Leg leg;

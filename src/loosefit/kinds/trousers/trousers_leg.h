@@ -30,7 +30,7 @@ struct Easing {
 /// Whether the leg is cut to a girth at the thigh: `fit` has one, and the thigh level lies at least
 /// kBelowTip below the crotch of the trousers and 5 cm above the next level below it, knee or hem.
 /// \pre as draft_leg
-bool has_thigh_level(const NamedValues& measures, const NamedValues& fit);
+bool has_thigh_level(const BodyMeasures& measures, const NamedValues& fit);
 
 /// The front or the back of a leg, cut to the girths of `fit` at hip, thigh, knee, calf and hem,
 /// each piece its share of them (kFrontShare) but for what `easing` gives. Outseam and inseam are
@@ -41,7 +41,7 @@ bool has_thigh_level(const NamedValues& measures, const NamedValues& fit);
 /// kind but thigh and calf, and the two make a garment together: nothing of that is checked here
 /// (trousers_draft.h).
 /// \throws std::out_of_range for a name that is missing.
-Leg draft_leg(const NamedValues& measures, const NamedValues& fit, bool front,
+Leg draft_leg(const BodyMeasures& measures, const NamedValues& fit, bool front,
               const Easing& easing);
 
 }  // namespace loosefit::kinds

@@ -26,7 +26,7 @@ constexpr double kEqual = 1e-6;           ///< seams that count as equally long 
 constexpr double kSewnIn = 0.002;         ///< more than this is not sewn in unseen (judgement) [m]
 
 /// How much longer a seam of the back is than that of the front [m].
-double excess(const NamedValues& m, const NamedValues& fit, const Easing& easing,
+double excess(const BodyMeasures& m, const NamedValues& fit, const Easing& easing,
               CurveChain Leg::*seam) {
   return (draft_leg(m, fit, false, easing).*seam).length() -
          (draft_leg(m, fit, true, easing).*seam).length();
@@ -41,7 +41,7 @@ double inside_straight(const Leg& leg) {
 }
 
 /// Whether the seams of front and back can be made as long as each other.
-bool seams_close(const NamedValues& m, const NamedValues& fit) {
+bool seams_close(const BodyMeasures& m, const NamedValues& fit) {
   const Easing easing = ease_legs(m, fit);
   return std::abs(excess(m, fit, easing, &Leg::inseam)) < kSewnIn &&
          std::abs(excess(m, fit, easing, &Leg::outseam)) < kSewnIn;
@@ -50,7 +50,7 @@ bool seams_close(const NamedValues& m, const NamedValues& fit) {
 /// The next lower value of a key with which the seams close, in thousandths, so that what is told
 /// is what was tried; none where its range has none. `waist_follows`: the waist is what it is where
 /// nobody asks for one.
-std::optional<double> most_that_closes(const NamedValues& m, const NamedValues& fit,
+std::optional<double> most_that_closes(const BodyMeasures& m, const NamedValues& fit,
                                        const std::string& key, double least, bool waist_follows) {
   constexpr int kSteps = 16;
   NamedValues tried = fit;
@@ -77,7 +77,7 @@ std::optional<double> most_that_closes(const NamedValues& m, const NamedValues& 
 
 }  // namespace
 
-Easing ease_legs(const NamedValues& m, const NamedValues& fit) {
+Easing ease_legs(const BodyMeasures& m, const NamedValues& fit) {
   Easing easing;
   // The value between two ends at which the seams are equal, or the end nearest to that.
   const auto seek = [&](double& what, double low, double high, CurveChain Leg::*seam) {
@@ -121,7 +121,7 @@ Easing ease_legs(const NamedValues& m, const NamedValues& fit) {
   return easing;
 }
 
-void check_seams(const NamedValues& m, const NamedValues& fit, const Easing& easing,
+void check_seams(const BodyMeasures& m, const NamedValues& fit, const Easing& easing,
                  const std::set<std::string>& asked) {
   const double inside = excess(m, fit, easing, &Leg::inseam),
                outside = excess(m, fit, easing, &Leg::outseam);

@@ -14,7 +14,7 @@ namespace loosefit::kinds {
 /// girth at the thigh (has_thigh_level) the end of the curve alone moves, by up to 50 mm. Outseams
 /// are made equal by the outer end of the back's waist, up to 50 mm higher or lower.
 /// \pre as draft_leg (trousers_leg.h). Whether the seams close is for check_seams to say.
-Easing ease_legs(const NamedValues& measures, const NamedValues& fit);
+Easing ease_legs(const BodyMeasures& measures, const NamedValues& fit);
 
 /// Refuses legs of which a seam is longer behind than in front, or shorter, by 2 mm or more, which
 /// is not sewn in unseen. `easing`: that of ease_legs; `asked`: keys of the fit that somebody asked
@@ -22,7 +22,7 @@ Easing ease_legs(const NamedValues& measures, const NamedValues& fit);
 /// \throws InvalidInput with place fit.crotch_width or fit.hip, one that was asked for where it
 /// can, and a lower value of it, in thousandths, with which the seams close; with fit.leg_length
 /// where there is no such value.
-void check_seams(const NamedValues& measures, const NamedValues& fit, const Easing& easing,
+void check_seams(const BodyMeasures& measures, const NamedValues& fit, const Easing& easing,
                  const std::set<std::string>& asked);
 
 }  // namespace loosefit::kinds

@@ -14,13 +14,14 @@ inline MapDefinition distance_map() {
                             .range_high = kRange,
                             .map = "distance"},
                   .meaning =
-                      "From the cloth's middle surface to the nearest point of the body surface on "
+                      "From the cloth's middle surface, smooth as it is and not in flat triangles, to "
+                      "the nearest point of the body surface on "
                       "the same or a neighbouring limb that faces the same way. Cloth that lies "
                       "on the skin reads half the fabric's thickness.",
-                  .formula = "|x − p|, p the partner on the body",
+                  .formula = "|x − p| + bulge − lift, p the partner on the body (maps/curved_cloth.h)",
                   .source = "Harms, Amft and Tröster 2012, section 2.2",
                   .read = ReadOverSkin(
-                      [](const ClothOverSkin& at) { return at.partner.exact.distance; }),
+                      [](const ClothOverSkin& at) { return at.distance; }),
                   .in_unit = millimetres},
                  {.style = {.array = "distance_particle_mm",
                             .title = "Distance to nearest body particle",

@@ -21,7 +21,7 @@ const char* const kBody =
     "sex = \"female\"\nage = 30\nheight = 1.68\n"
     "measurements = { chest = 0.88, waist = 0.72, hip = 0.97 }";
 const char* const kGarment =
-    "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, bust_dart = 0.5 }";
+    "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, sleeve_follow = 0, bust_dart = 0.5 }";
 
 /// A map, what of it is compared, and what counts as no difference: below that, shares mean
 /// nothing. The floors of strain and shear are in most regions about twice what single drapes at
