@@ -1,6 +1,7 @@
 #include "loosefit/garment/hierarchy.h"
 
 #include "loosefit/garment/attach.h"
+#include "loosefit/garment/board_shape.h"
 #include "loosefit/garment/sew_panels.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/mesher.h"
@@ -28,7 +29,8 @@ GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_lengt
                               const std::vector<Attachment>& attachments, int levels) {
   pattern::edge_divisions(pattern,
                           edge_length);  // refuses impossible edge lengths before the work starts
-  const double coarsest = edge_length * (1 << hierarchy_refinements(edge_length));
+  const int refinements = hierarchy_refinements(edge_length);
+  const double coarsest = edge_length * (1 << refinements);
   const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, coarsest);
 
   // The coarsest level is meshed; every finer one is a subdivision of the one before.
@@ -36,13 +38,15 @@ GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_lengt
   hierarchy.pattern = pattern;
   std::vector<pattern::PanelMesh> meshes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], coarsest));
+    meshes.push_back(pattern::mesh_panel(
+        pattern.panels[p], divisions[p], coarsest,
+        board_insets(pattern.panels[p].name, attachments, edge_length, refinements)));
   SewnPanels sewn = sew_panels(pattern, meshes, material);
   hierarchy.parents.push_back({});
   for (int v = 0; v < sewn.garment.vertex_count; ++v) hierarchy.parents[0].push_back({v, v});
 
   for (int level = 0;; ++level) {
-    attach(sewn.garment, pattern, attachments);
+    attach(sewn.garment, pattern, attachments, material);
     hierarchy.levels.push_back(sewn.garment);
     if (level + 1 == levels) return hierarchy;
 
