@@ -43,7 +43,7 @@ double MeshSizes::at(const Vec2& p) const {
 double MeshSizes::density(const Vec2& p) const {
   if (insets_.empty()) return 1;
   const double finer = edge_length_ / at(p);
-  return finer * finer * finer * finer;
+  return finer * finer;
 }
 
 double InsetLines::distance(const Vec2& p) const {

@@ -23,7 +23,7 @@ class MeshSizes {
       : edge_length_(edge_length), insets_(std::move(insets)) {}
   double largest() const { return edge_length_; }
   double at(const Vec2& p) const;
-  /// (largest / wanted edge length)⁴.
+  /// (largest / wanted edge length)².
   double density(const Vec2& p) const;
 
  private:

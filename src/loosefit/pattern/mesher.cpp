@@ -234,8 +234,7 @@ bool break_chords(std::vector<Vec2>& points, const std::vector<Triangle>& triang
 }
 
 /// One sweep: every interior point to the area centroid of its triangles, unless one would flip.
-/// Areas count by the wanted ones, so that the mesh stays as fine as it is wanted (density of a
-/// centroidal Voronoi tessellation: edge⁻⁴, Du, Faber and Gunzburger 1999).
+/// Areas count by the wanted ones, so that points stay as close together as they were put.
 void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int fixed,
             const MeshSizes& sizes) {
   const auto twice_area = [](const Vec2& a, const Vec2& b, const Vec2& c) {
