@@ -203,5 +203,61 @@ TEST(Mesher, RefusesWhatItCannotMesh) {
   EXPECT_NE(error_of(pattern, .01).find("a second time"), std::string::npos);
 }
 
+/// A turned rectangle.
+MeshInset drawn_inset(const Vec2& at, const Vec2& half, double angle, double spacing) {
+  MeshInset inset;
+  const Eigen::Rotation2Dd turn(angle);
+  for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+    inset.outline.push_back(at + turn * half.cwiseProduct(corner));
+  inset.spacing = spacing;
+  return inset;
+}
+
+TEST(Mesher, InsetsAreEdgesOfAMeshThatGrowsAwayFromThem) {
+  const Panel panel = rectangle_panel("square", .4, .4);
+  const double h = .03;
+  for (const double spacing : {.004, .010, .030})
+    for (const double angle : {0.0, 0.4, 2.0}) {
+      SCOPED_TRACE(testing::Message() << spacing << " turned by " << angle);
+      const MeshInset inset = drawn_inset({.19, .22}, {.03, .02}, angle, spacing);
+      const PanelMesh mesh = mesh_panel(panel, {13, 13, 13, 13}, h, {inset});
+      EXPECT_NEAR(mesh_area(mesh), .16, 1e-12);
+      EXPECT_GT(degrees(mesh_quality(mesh).smallest_angle), 15);
+      double inside = 0, near = 0, far = 0;
+      int near_count = 0, far_count = 0;
+      for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec2 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
+        const double area = signed_area({p, q, r});
+        const Vec2 centre = (p + q + r) / 3;
+        if (inside_polygon(inset.outline, centre)) {
+          inside += area;
+          near += area, ++near_count;
+        } else if ((closest_on_polygon(inset.outline, centre) - centre).norm() > .1) {
+          far += area, ++far_count;
+        }
+      }
+      EXPECT_NEAR(inside, .06 * .04, 1e-12) << "no triangle lies on both sides";
+      const auto edge = [](double area, int n) { return std::sqrt(4 / std::sqrt(3.0) * area / n); };
+      EXPECT_NEAR(edge(near, near_count), spacing, .3 * spacing);
+      EXPECT_NEAR(edge(far, far_count), h, .15 * h);
+    }
+}
+
+TEST(Mesher, WhatAnInsetCannotHaveIsLeftOut) {
+  const Panel panel = rectangle_panel("square", .2, .2);
+  // Over the rim, in a corner, over each other, next to each other.
+  const std::vector<std::vector<MeshInset>> cases = {
+      {drawn_inset({.01, .1}, {.03, .02}, 0, .01)},
+      {drawn_inset({0, 0}, {.03, .02}, 0.3, .01)},
+      {drawn_inset({.1, .1}, {.03, .02}, 0, .01), drawn_inset({.11, .11}, {.03, .02}, 0.5, .01)},
+      {drawn_inset({.07, .1}, {.03, .02}, 0, .01), drawn_inset({.1305, .1}, {.03, .02}, 0, .01)},
+      {drawn_inset({.1, .1}, {.2, .2}, 0, .01)}};
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const PanelMesh mesh = mesh_panel(panel, {10, 10, 10, 10}, .02, cases[k]);
+    EXPECT_NEAR(mesh_area(mesh), .04, 1e-12) << k;
+    EXPECT_GT(degrees(mesh_quality(mesh).smallest_angle), 8) << k;
+  }
+}
+
 }  // namespace
 }  // namespace loosefit::pattern

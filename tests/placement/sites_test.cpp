@@ -294,7 +294,7 @@ std::string board_error(const SiteSpec& site) {
 TEST(SiteBoards, TakeTheFootprintOfTheirSensor) {
   SiteSpec disc{"disc", "front", {0.1, 0.2}};
   disc.footprint.radius = 0.015;
-  disc.board = SensorBoard{0.008, 2e-3, 20};
+  disc.board = SensorBoard{{.mass = 0.008, .bending = 2e-3, .membrane_factor = 20}};
   SiteSpec box = disc;
   box.name = "box";
   box.footprint.kind = FootprintShape::Kind::rectangle;

@@ -1,5 +1,6 @@
 #include "loosefit/contact/body_contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "loosefit/contact/contact_tuning.h"
@@ -91,6 +92,13 @@ double BodyContact::field_distance(const ContactPoint& point, const particles::V
   return field_->sample(point.position(x), reach, false, sample) ? sample.distance : reach;
 }
 
+double BodyContact::padding_of(const ContactPoint& point) const {
+  if (padding_.empty()) return 0;
+  double least = padding_[point.particle[0]];
+  for (int k = 1; k < point.count; ++k) least = std::min(least, padding_[point.particle[k]]);
+  return least;
+}
+
 BodyContact::Touch BodyContact::ask(std::size_t i, const particles::VectorField& x,
                                     bool with_hessian) const {
   Touch touch;
@@ -98,10 +106,11 @@ BodyContact::Touch BodyContact::ask(std::size_t i, const particles::VectorField&
   Clear& clear = clear_[i];
   if (clear.slack > 0 && (p - clear.position).squaredNorm() < clear.slack * clear.slack)
     return touch;
-  const double reach = points_[i].offset + points_[i].field_error;
+  const double taken_off = points_[i].field_error + padding_of(points_[i]);
+  const double reach = points_[i].offset + taken_off;
   touch.active = field_->sample(p, reach, with_hessian, touch.sample);
   clear = {p, touch.active ? -1 : (touch.sample.distance - reach) / DistanceField::kSteepest};
-  touch.sample.distance -= points_[i].field_error;
+  touch.sample.distance -= taken_off;
   return touch;
 }
 

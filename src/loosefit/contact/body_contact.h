@@ -93,6 +93,12 @@ class BodyContact : public particles::Energy,
     for (ContactPoint& p : change_points()) p.offset = offset;
     stiffness_ = stiffness;
   }
+  /// Thickness of what lies between cloth and skin at each particle [m]; a point has the least of
+  /// its particles, so that what is beside a board is as near as ever. Empty: nothing.
+  void set_padding(std::vector<double> padding) {
+    padding_ = std::move(padding);
+    forget_touches();
+  }
   /// With less than the whole of its hardening the layer gives way where cloth starts from within
   /// the skin, and Newton's steps stay long. At rest it has all of it.
   void set_hardening(double share) {
@@ -153,7 +159,9 @@ class BodyContact : public particles::Energy,
     return compress_layer(stiffness_, point.offset, point.offset - touch.sample.distance,
                           hardening_);
   }
+  double padding_of(const ContactPoint& point) const;
   std::vector<ContactPoint> points_;
+  std::vector<double> padding_;
   std::shared_ptr<const ContactSurface> field_;
   double stiffness_;
   double hardening_ = 1;

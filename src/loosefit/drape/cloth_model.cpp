@@ -56,6 +56,29 @@ std::vector<contact::ContactPoint> corner_points(const ClothMesh& mesh, int laye
   return points;
 }
 
+solver::Plate plate_of(const garment::Garment::RigidBoard& board, int first_vertex) {
+  solver::Plate plate;
+  for (int k = 0; k < 3; ++k) plate.leaders[k] = first_vertex + board.leaders[k];
+  for (std::size_t i = 0; i < board.vertices.size(); ++i) {
+    const int v = board.vertices[i];
+    if (v == board.leaders[0] || v == board.leaders[1] || v == board.leaders[2]) continue;
+    plate.followers.push_back(first_vertex + v);
+    plate.weights.push_back(board.weights[i]);
+  }
+  return plate;
+}
+
+/// Per particle of all layers before and in this one: the most of its triangles [m]; empty:
+/// nothing is padded.
+std::vector<double> vertex_padding(const garment::Garment& garment, int first_vertex) {
+  if (garment.triangle_padding.empty()) return {};
+  std::vector<double> padding(first_vertex + garment.vertex_count, 0.0);
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t)
+    for (int v : garment.triangles[t])
+      padding[first_vertex + v] = std::max(padding[first_vertex + v], garment.triangle_padding[t]);
+  return padding;
+}
+
 }  // namespace
 
 Eigen::MatrixXd layer_friction(const std::vector<ModelLayer>& layers) {
@@ -84,6 +107,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   for (const ModelLayer& layer : layers) garments.push_back(layer.garment);
   mesh_ = joined(garments);
   contact::SelfContact::Options contact;
+  std::vector<fabric::RigidPlate> boards;
   for (int l = 0; l < mesh_.layers(); ++l) {
     const garment::Garment& garment = *layers[l].garment;
     // Each layer stretches, bends and weighs as its own material says.
@@ -106,6 +130,12 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
     body_.push_back(std::make_unique<contact::BodyContact>(
         lattice_.back().first_points(half_thickness_.back()), contact_stiffness_.back(),
         m.friction_body, tuning.stick_reach));
+    body_.back()->set_padding(vertex_padding(garment, mesh_.first_vertex[l]));
+    for (const garment::Garment::RigidBoard& board : garment.rigid_boards) {
+      system_.plates.push_back(plate_of(board, mesh_.first_vertex[l]));
+      boards.push_back(
+          {system_.plates.back().leaders, board.leader_uv, board.area, board.mass, board.offset});
+    }
     floor_.push_back(std::make_unique<contact::BodyContact>(
         corner_points(mesh_, l, half_thickness_.back()), contact_stiffness_.back(), m.friction_body,
         tuning.stick_reach));
@@ -116,6 +146,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   }
   // Gravity and contact of cloth with cloth see all layers at once.
   gravity_ = std::make_unique<particles::GravityEnergy>(system_.mass, options.gravity);
+  boards_ = std::make_unique<fabric::BoardEnergy>(std::move(boards), options.gravity);
   load_ = std::make_unique<particles::DeadLoad>();
   contact.thickness = layers.front().self_thickness;
   contact.friction = friction(0, 0);
@@ -131,6 +162,7 @@ ClothModel::ClothModel(const std::vector<ModelLayer>& layers, const DrapeOptions
   for (const auto& e : bending_) system_.energies.push_back(e.get());
   for (const auto& e : bands_)
     if (!e->empty()) system_.energies.push_back(e.get());
+  if (!boards_->empty()) system_.energies.push_back(boards_.get());
   system_.energies.push_back(gravity_.get());
   system_.energies.push_back(load_.get());
   for (const auto& e : body_) system_.energies.push_back(e.get());
@@ -169,6 +201,7 @@ ClothModel::Forces ClothModel::forces(const particles::VectorField& x) const {
   auto& [membrane, bending, gravity, body, self, body_friction, self_friction] = forces;
   for (const auto& e : membrane_) e->add_gradient(x, membrane);
   for (const auto& e : bands_) e->add_gradient(x, membrane);
+  boards_->add_gradient(x, membrane);
   for (const auto& e : bending_) e->add_gradient(x, bending);
   gravity_->add_gradient(x, gravity);
   for (const auto* contacts : {&body_, &floor_})

@@ -11,6 +11,7 @@
 #include "loosefit/drape/unsettled.h"
 #include "loosefit/fabric/band_energy.h"
 #include "loosefit/fabric/bending_energy.h"
+#include "loosefit/fabric/board_energy.h"
 #include "loosefit/fabric/membrane_energy.h"
 #include "loosefit/particles/dead_load.h"
 #include "loosefit/particles/gravity_energy.h"
@@ -66,8 +67,8 @@ class ClothModel {
   /// Σ of the normal forces of the floor on all layers [N].
   double floor_force(const particles::VectorField& x) const;
 
-  /// Forces on every particle [N], by kind in the order of kForceNames; those of bands that are
-  /// sewn on are counted with the membrane, those of the floor with the body.
+  /// Forces on every particle [N], by kind in the order of kForceNames; those of bands and
+  /// boards that are sewn on are counted with the membrane, those of the floor with the body.
   using Forces = std::array<particles::VectorField, kForceNames.size()>;
   Forces forces(const particles::VectorField& x) const;
 
@@ -83,7 +84,10 @@ class ClothModel {
   void forget_anchors();
 
   /// Takes the weight off the cloth; residuals still refer to it.
-  void take_weight() { gravity_->set_gravity(0); }
+  void take_weight() {
+    gravity_->set_gravity(0);
+    boards_->set_gravity(0);
+  }
 
   /// Pulls at the particles [N], one force each, until told otherwise; none: lets go. `forces` does
   /// not list it.
@@ -99,6 +103,7 @@ class ClothModel {
   std::vector<std::unique_ptr<fabric::MembraneEnergy>> membrane_;  // one a layer
   std::vector<std::unique_ptr<fabric::BendingEnergy>> bending_;
   std::vector<std::unique_ptr<fabric::BandEnergy>> bands_;
+  std::unique_ptr<fabric::BoardEnergy> boards_;  // of all layers
   std::unique_ptr<particles::GravityEnergy> gravity_;
   std::unique_ptr<particles::DeadLoad> load_;
   std::vector<std::unique_ptr<contact::BodyContact>> body_;   // per layer, with the skin

@@ -1,6 +1,7 @@
 #include "loosefit/garment/assemble.h"
 
 #include "loosefit/garment/attach.h"
+#include "loosefit/garment/board_shape.h"
 #include "loosefit/garment/sew_panels.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/mesher.h"
@@ -12,9 +13,11 @@ Garment assemble(const pattern::Pattern& pattern, double edge_length,
   const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, edge_length);
   std::vector<pattern::PanelMesh> meshes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], edge_length));
+    meshes.push_back(
+        pattern::mesh_panel(pattern.panels[p], divisions[p], edge_length,
+                            board_insets(pattern.panels[p].name, attachments, edge_length, 0)));
   Garment garment = sew_panels(pattern, meshes, material).garment;
-  attach(garment, pattern, attachments);
+  attach(garment, pattern, attachments, material);
   return garment;
 }
 

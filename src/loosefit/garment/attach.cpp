@@ -4,17 +4,19 @@
 #include <cmath>
 #include <limits>
 
-#include "loosefit/base/error.h"
+#include "loosefit/garment/board_material.h"
+#include "loosefit/garment/board_shape.h"
 #include "loosefit/garment/check_attachment.h"
 #include "loosefit/garment/covered_share.h"
 #include "loosefit/garment/lay_band.h"
+#include "loosefit/garment/rigid_board.h"
 #include "loosefit/geometry/closest_point.h"
+#include "loosefit/pattern/outline.h"
 
 namespace loosefit::garment {
 namespace {
 
-constexpr int kFootprintSamples = 24;  // per direction, for the mass of a board
-constexpr double kCableStep = 0.001;   // [m]
+constexpr double kCableStep = 0.001;  // [m]
 
 Vec3 lift(const Vec2& p) { return {p.x(), p.y(), 0}; }
 
@@ -45,24 +47,6 @@ void add_mass(Garment& g, int panel, const Vec2& at, double mass) {
   }
 }
 
-/// Footprint of a board. `may_cover` looks ahead at the box of one triangle: false if it lies
-/// outside.
-struct BoardShape {
-  const Board& board;
-  bool disc = board.radius > 0;
-  Vec2 half = disc ? Vec2(board.radius, board.radius) : Vec2(board.size / 2);
-  Eigen::Rotation2Dd turn{board.angle};
-
-  bool covers_local(const Vec2& p) const {
-    return disc ? p.norm() <= board.radius
-                : std::abs(p.x()) <= half.x() && std::abs(p.y()) <= half.y();
-  }
-  bool may_cover(const Vec2& low, const Vec2& high) const {
-    return (board.centre - board.centre.cwiseMax(low).cwiseMin(high)).norm() <= half.norm();
-  }
-  bool covers(const Vec2& p) const { return covers_local(turn.inverse() * (p - board.centre)); }
-};
-
 template <class Shape>
 void stiffen(Garment& g, int panel, double bending, double membrane_factor, Shape shape) {
   for (std::size_t t = 0; t < g.triangles.size(); ++t) {
@@ -75,21 +59,30 @@ void stiffen(Garment& g, int panel, double bending, double membrane_factor, Shap
   }
 }
 
-void add(Garment& g, int panel, const Board& board) {
-  const BoardShape shape{board};
-  std::vector<Vec2> samples;
-  for (int i = 0; i < kFootprintSamples; ++i)
-    for (int j = 0; j < kFootprintSamples; ++j) {
-      const Vec2 local = shape.half.cwiseProduct(
-          Vec2((2 * i + 1.0) / kFootprintSamples - 1, (2 * j + 1.0) / kFootprintSamples - 1));
-      if (shape.covers_local(local)) samples.push_back(board.centre + shape.turn * local);
-    }
-  for (const Vec2& p : samples) add_mass(g, panel, p, board.mass / double(samples.size()));
-  stiffen(g, panel, board.bending, board.membrane_factor, shape);
-  g.mass += board.mass;
+void pad(Garment& g, int panel, double thickness, const BoardShape& shape) {
+  const std::vector<Vec2> outline = shape.outline();
+  g.triangle_padding.resize(g.triangles.size(), 0.0);
+  for (std::size_t t = 0; t < g.triangles.size(); ++t) {
+    const auto& [a, b, c] = g.triangle_uv[t];
+    if (g.triangle_panel[t] == panel && pattern::inside_polygon(outline, (a + b + c) / 3))
+      g.triangle_padding[t] = std::max(g.triangle_padding[t], thickness);
+  }
 }
 
-void add(Garment& g, int panel, const Cable& cable) {
+void add(Garment& g, int panel, const std::string& name, const Board& board,
+         const fabric::Material& material) {
+  const BoardShape shape(board);
+  const std::vector<Vec2> samples = shape.samples();
+  for (const Vec2& p : samples) add_mass(g, panel, p, board.mass / double(samples.size()));
+  g.mass += board.mass;
+  if (board.side == Board::Side::inside && board.thickness > 0)
+    pad(g, panel, board.thickness, shape);
+  if (board.is_rigid()) return add_rigid_board(g, panel, name, board);
+  const SheetStiffness sheet = sheet_stiffness(board, material);
+  stiffen(g, panel, sheet.bending, sheet.membrane_factor, shape);
+}
+
+void add(Garment& g, int panel, const std::string&, const Cable& cable, const fabric::Material&) {
   for (std::size_t i = 0; i + 1 < cable.path.size(); ++i) {
     const Vec2 &a = cable.path[i], &b = cable.path[i + 1];
     const double length = (b - a).norm();
@@ -105,10 +98,12 @@ void add(Garment& g, int panel, const Cable& cable) {
 }  // namespace
 
 void attach(Garment& garment, const pattern::Pattern& pattern,
-            const std::vector<Attachment>& attachments) {
+            const std::vector<Attachment>& attachments, const fabric::Material& material) {
+  check_rigid_boards(attachments);
   for (const Attachment& attachment : attachments) {
     const int panel = check_attachment(attachment, pattern);
-    std::visit([&](const auto& part) { add(garment, panel, part); }, attachment.part);
+    std::visit([&](const auto& part) { add(garment, panel, attachment.name, part, material); },
+               attachment.part);
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -7,16 +8,27 @@
 
 namespace loosefit::garment {
 
+/// What a board is, wherever it is. It is rigid unless it says what it is made of: a material
+/// (board_material.h) with its thickness, or measured figures.
+struct BoardMake {
+  enum class Side { outside, inside };  ///< of the cloth; inside is towards the skin
+  double mass = 0;                      ///< [kg]
+  double thickness = 0;                 ///< [m]; its centre of mass is half of it off the cloth
+  Side side = Side::outside;
+  std::string material = {};            ///< empty: none named
+  std::optional<double> bending = {};   ///< measured rigidity of the sheet [N m]
+  std::optional<double> membrane_factor = {};  ///< measured in-plane stiffness, in fabrics, ≥ 1
+
+  bool is_rigid() const { return material.empty() && !bending && !membrane_factor; }
+};
+
 /// A flat stiff part on the cloth, e.g. a sensor board. The footprint is a rectangle of
 /// `size` turned by `angle`, or a disc when `radius` > 0.
-struct Board {
-  Vec2 centre = Vec2::Zero();   ///< pattern coordinates in the panel [m]: u weft, v warp
-  Vec2 size = Vec2::Zero();     ///< rectangle: extent along u and v before turning [m]
-  double angle = 0;             ///< [rad], counter-clockwise
-  double radius = 0;            ///< disc [m]
-  double mass = 0;              ///< [kg]
-  double bending = 1e-3;        ///< rigidity added within the footprint [N m]
-  double membrane_factor = 10;  ///< in-plane stiffness multiplier within the footprint, ≥ 1
+struct Board : BoardMake {
+  Vec2 centre = Vec2::Zero();  ///< pattern coordinates in the panel [m]: u weft, v warp
+  Vec2 size = Vec2::Zero();    ///< rectangle: extent along u and v before turning [m]
+  double angle = 0;            ///< [rad], counter-clockwise
+  double radius = 0;           ///< disc [m]
 };
 
 /// A cable, a stretch sensor or an elastic that is sewn along a path on one panel.

@@ -6,6 +6,7 @@
 
 #include "loosefit/base/error.h"
 #include "loosefit/base/text.h"
+#include "loosefit/garment/board_material.h"
 #include "loosefit/pattern/outline.h"
 
 namespace loosefit::garment {
@@ -46,8 +47,16 @@ struct Checker {
   void operator()(const Board& board) const {
     inside("position", board.centre);
     range("mass", board.mass, 0, 5, "kg");
-    range("bending", board.bending, 0, 10, "N m");
-    range("membrane_factor", board.membrane_factor, 1, 1e4, "");
+    const bool inside_cloth = board.side == Board::Side::inside;
+    range("thickness", board.thickness, 0, inside_cloth ? kThickestInside : kThickest, "m");
+    if (board.bending) range("bending", *board.bending, 0, 10, "N m");
+    if (board.membrane_factor) range("membrane_factor", *board.membrane_factor, 1, 1e4, "");
+    if (board.material.empty()) {
+    } else if (!find_board_material(board.material)) {
+      fail("material", '"' + printable(board.material) + '"', "one of " + board_material_names());
+    } else if (!(board.thickness > 0)) {
+      fail("thickness", "none", "the thickness of the " + board.material + " in metres");
+    }
     if (!std::isfinite(board.angle)) fail("angle", "a value that is not finite", "an angle");
     if (board.radius != 0) {
       range("radius", board.radius, 1e-4, 0.5, "m");

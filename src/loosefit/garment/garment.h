@@ -36,6 +36,24 @@ struct Garment {
   /// asked for [–]; NaN where it is not known; empty: nowhere.
   std::vector<double> vertex_ease_cut, vertex_ease_asked;
 
+  /// A rigid board on a level. Its triangles stay in one plane; its outline is edges of the mesh
+  /// where the mesh could follow it.
+  struct RigidBoard {
+    std::string name;
+    std::vector<int> triangles;      ///< ascending
+    std::vector<int> vertices;       ///< of these triangles, ascending
+    std::array<int, 3> leaders{};    ///< three of them that lie far apart
+    std::array<Vec2, 3> leader_uv{};  ///< [m], counter-clockwise as the triangles are
+    std::vector<Vec3> weights;       ///< of each vertex: barycentric in the leaders
+    double area = 0;                 ///< flat [m²]
+    double mass = 0;                 ///< [kg], of the board alone
+    double offset = 0;     ///< of its centre of mass from the cloth, along the outside normal [m]
+  };
+  std::vector<RigidBoard> rigid_boards;  ///< no vertex is in two of them
+  /// Thickness that parts on its inside put between the triangle and what is under it [m]; empty:
+  /// there are none.
+  std::vector<double> triangle_padding;
+
   std::vector<char> triangle_built_in;  ///< held in a rigid clamp; empty: none
 
   /// Vertices along a panel edge in outline order, ends included.

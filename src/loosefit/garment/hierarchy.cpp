@@ -1,6 +1,7 @@
 #include "loosefit/garment/hierarchy.h"
 
 #include "loosefit/garment/attach.h"
+#include "loosefit/garment/board_shape.h"
 #include "loosefit/garment/sew_panels.h"
 #include "loosefit/pattern/divisions.h"
 #include "loosefit/pattern/mesher.h"
@@ -34,7 +35,8 @@ GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_lengt
   };
   // Impossible edge lengths are refused before the work starts.
   pattern::edge_divisions(pattern, edges(edge_length));
-  const double coarsest = edge_length * (1 << hierarchy_refinements(edge_length));
+  const int refinements = hierarchy_refinements(edge_length);
+  const double coarsest = edge_length * (1 << refinements);
   const std::vector<double> coarsest_of = edges(coarsest);
   const std::vector<std::vector<int>> divisions = pattern::edge_divisions(pattern, coarsest_of);
 
@@ -43,13 +45,15 @@ GarmentHierarchy build_levels(const pattern::Pattern& pattern, double edge_lengt
   hierarchy.pattern = pattern;
   std::vector<pattern::PanelMesh> meshes;
   for (std::size_t p = 0; p < pattern.panels.size(); ++p)
-    meshes.push_back(pattern::mesh_panel(pattern.panels[p], divisions[p], coarsest_of[p]));
+    meshes.push_back(pattern::mesh_panel(
+        pattern.panels[p], divisions[p], coarsest_of[p],
+        board_insets(pattern.panels[p].name, attachments, edges(edge_length)[p], refinements)));
   SewnPanels sewn = sew_panels(pattern, meshes, material);
   hierarchy.parents.push_back({});
   for (int v = 0; v < sewn.garment.vertex_count; ++v) hierarchy.parents[0].push_back({v, v});
 
   for (int level = 0;; ++level) {
-    attach(sewn.garment, pattern, attachments);
+    attach(sewn.garment, pattern, attachments, material);
     hierarchy.levels.push_back(sewn.garment);
     if (level + 1 == levels) return hierarchy;
 

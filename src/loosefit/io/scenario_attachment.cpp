@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "loosefit/base/text.h"
+#include "loosefit/garment/board_material.h"
 #include "loosefit/io/degrees_text.h"
 
 namespace loosefit::io {
@@ -17,6 +18,7 @@ std::string required_text(ConfigReader& table, const std::string& key, const std
 
 garment::Board read_board(ConfigReader& table) {
   garment::Board board;
+  read_board_make(table, board);
   board.centre = table.point("at", kPatternPlace, "centre in pattern coordinates: u weft, v warp");
   const bool disc = table.has("radius");
   if (table.has("size") == disc)
@@ -29,12 +31,6 @@ garment::Board read_board(ConfigReader& table) {
   }
   board.angle = radians(
       table.number("angle_deg", 0, {-360, 360, "degrees"}, "turn of the board in the pattern"));
-  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"}, "mass of the board");
-  board.bending = table.number("bending", board.bending, {0, 10, "N m"},
-                               "sheet rigidity added within the footprint");
-  board.membrane_factor =
-      table.number("membrane_factor", board.membrane_factor, {1, 1e4, "a factor"},
-                   "in-plane stiffness multiplier within the footprint");
   return board;
 }
 
@@ -56,13 +52,24 @@ std::string point_text(const Vec2& p) {
   return fmt::format("[{}, {}]", shortest(p.x()), shortest(p.y()));
 }
 
+std::vector<std::string> make_texts(const garment::BoardMake& board) {
+  std::vector<std::string> texts = {
+      "mass = " + shortest(board.mass), "thickness = " + shortest(board.thickness),
+      std::string("side = \"") +
+          (board.side == garment::BoardMake::Side::inside ? "inside\"" : "outside\"")};
+  if (!board.material.empty()) texts.push_back("material = " + toml_quoted(board.material));
+  if (board.bending) texts.push_back("bending = " + shortest(*board.bending));
+  if (board.membrane_factor)
+    texts.push_back("membrane_factor = " + shortest(*board.membrane_factor));
+  return texts;
+}
+
 std::string part_text(const garment::Board& board) {
   return "at = " + point_text(board.centre) + "\n" +
          (board.radius > 0 ? "radius = " + shortest(board.radius)
                            : "size = " + point_text(board.size)) +
-         fmt::format("\nangle_deg = {}\nmass = {}\nbending = {}\nmembrane_factor = {}\n",
-                     degrees_text(board.angle), shortest(board.mass), shortest(board.bending),
-                     shortest(board.membrane_factor));
+         fmt::format("\nangle_deg = {}\n", degrees_text(board.angle)) +
+         join(make_texts(board), "\n") + "\n";
 }
 
 std::string part_text(const garment::Cable& cable) {
@@ -77,13 +84,39 @@ std::string part_text(const garment::Cable& cable) {
 
 }  // namespace
 
+void read_board_make(ConfigReader& table, garment::BoardMake& board) {
+  using Side = garment::BoardMake::Side;
+  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"}, "mass of the board");
+  const bool inside = table.choice("side", "outside", {"outside", "inside"},
+                                   "of the cloth; inside is towards the skin") == "inside";
+  board.side = inside ? Side::inside : Side::outside;
+  const double thickest = inside ? garment::kThickestInside : garment::kThickest;
+  board.thickness = table.number("thickness", board.thickness, {0, thickest, "metres"},
+                                 "its centre of mass is half of it off the cloth; inside the cloth "
+                                 "it keeps that from the skin, and is 10 mm at most");
+  std::vector<std::string> materials;
+  for (const garment::BoardMaterial& m : garment::board_materials()) materials.push_back(m.name);
+  board.material =
+      table.choice("material", "", materials,
+                   "of a flexible board, with its thickness; without it a board is rigid");
+  if (!board.material.empty() && !(board.thickness > 0))
+    throw table.error("thickness", "the thickness of the " + board.material + " in metres");
+  board.bending = table.optional_number(
+      "bending", {0, 10, "N m"}, "measured sheet rigidity: the board is flexible, not rigid");
+  board.membrane_factor = table.optional_number(
+      "membrane_factor", {1, 1e4, "a factor"},
+      "measured in-plane stiffness by that of the cloth: the board is flexible, not rigid");
+}
+
+std::string board_make_toml(const garment::BoardMake& board) { return join(make_texts(board)); }
+
 garment::Attachment read_attachment_section(ConfigReader table) {
   std::vector<std::string> known = {"kind", "name", "panel"};
   const ConfigNode* kind = table.node("kind");
   const bool only_board = kind && kind->text == "board", only_cable = kind && kind->text == "cable";
   if (!only_cable)
-    for (const char* key :
-         {"at", "size", "radius", "angle_deg", "mass", "bending", "membrane_factor"})
+    for (const char* key : {"at", "size", "radius", "angle_deg", "mass", "thickness", "side",
+                            "material", "bending", "membrane_factor"})
       known.push_back(key);
   if (!only_board)
     for (const char* key :

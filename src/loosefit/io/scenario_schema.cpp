@@ -81,7 +81,7 @@ std::string sites() {
          {"radius = 0.01", "size = [0.01, 0.01]", "length = 0.1", "girth = true"})
       text += fmt::format("[[site]]\nname = \"s{}\"\n{}\nfootprint = {{ {} }}\n", count++, place,
                           shape) +
-              (shape[0] == 'r' ? "board = {}\n" : "");
+              (shape[0] == 'r' ? "board = { size = [0.01, 0.01] }\n" : "");
   return text + "[[site]]\nname = \"line\"\nfrom = \"wrist_L\"\nto = \"elbow_L\"\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include "loosefit/base/text.h"
 #include "loosefit/io/degrees_text.h"
+#include "loosefit/io/scenario_attachment.h"
 #include "loosefit/io/scorecard_key.h"
 #include "loosefit/placement/site_points.h"
 
@@ -157,12 +158,10 @@ placement::LineSpec read_line(ConfigReader& table) {
 
 placement::SensorBoard read_sensor_board(ConfigReader table) {
   placement::SensorBoard board;
-  board.mass = table.number("mass", board.mass, {0, 2, "kilograms"}, "mass of the sensor");
-  board.bending = table.number("bending", board.bending, {0, 10, "N m"},
-                               "sheet rigidity added within the footprint");
-  board.membrane_factor =
-      table.number("membrane_factor", board.membrane_factor, {1, 1e4, "a factor"},
-                   "in-plane stiffness multiplier within the footprint");
+  read_board_make(table, board);
+  if (table.has("size"))
+    board.size = table.point("size", {0.001, 0.5, "metres"},
+                             "[across, along] of the board; absent: that of the footprint");
   table.finish();
   return board;
 }
@@ -269,8 +268,12 @@ placement::SiteSpec read_site_section(ConfigReader table) {
                                     "of the axis of the sensor, from the warp, counter-clockwise"));
   if (const auto footprint = table.optional_table("footprint", "cloth under the sensor: one shape"))
     site.footprint = read_footprint(*footprint);
-  if (const auto board = table.optional_table("board", "simulate the sensor as a stiff part")) {
+  if (const auto board = table.optional_table("board", "simulate the sensor as the body it is")) {
     site.board = read_sensor_board(*board);
+    if (!site.board->size.isZero() && !table.has("footprint")) {
+      site.footprint.kind = Kind::rectangle;
+      site.footprint.size = site.board->size;
+    }
     if (site.footprint.kind == Kind::line || site.footprint.kind == Kind::girth)
       throw table.error("board", "no board under a line",
                         "a thread or cable along a path is an [[attachment]]");
@@ -286,9 +289,8 @@ std::string site_toml(const placement::SiteSpec& site) {
   text += "angle_deg = " + degrees_text(site.angle) + "\nfootprint = { " +
           footprint_text(site.footprint) + " }\n";
   if (site.board)
-    text += fmt::format("board = {{ mass = {}, bending = {}, membrane_factor = {} }}\n",
-                        shortest(site.board->mass), shortest(site.board->bending),
-                        shortest(site.board->membrane_factor));
+    text += "board = { " + board_make_toml(*site.board) +
+            (site.board->size.isZero() ? "" : ", size = " + pair_text(site.board->size)) + " }\n";
   return text;
 }
 

@@ -67,13 +67,25 @@ double distance_to_rims(const Rims& rims, const Vec2& p) {
   return least;
 }
 
-/// Constrained Delaunay triangulation of the rims and the points on the cloth. The points begin
-/// with those of the rims.
+/// What the mesh has to follow: the rims, then lines on the cloth.
+struct Frame {
+  Rims rims;
+  InsetLines insets;
+  MeshSizes sizes;
+
+  double distance(const Vec2& p) const {
+    return std::min(distance_to_rims(rims, p), insets.distance(p));
+  }
+};
+
+/// Constrained Delaunay triangulation of the frame and the points on the cloth. The points begin
+/// with those of the frame.
 struct Triangulation {
   Cdt cdt;
   std::vector<Triangle> triangles;
 
-  Triangulation(const std::vector<Vec2>& points, const Rims& rims) {
+  Triangulation(const std::vector<Vec2>& points, const Frame& frame) {
+    const Rims& rims = frame.rims;
     std::vector<Cdt::Vertex_handle> handles;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto near = handles.empty() ? Cdt::Face_handle() : handles.back()->face();
@@ -86,6 +98,8 @@ struct Triangulation {
         cdt.insert_constraint(handles[first + i], handles[first + (i + 1) % rim.size()]);
       first += rim.size();
     }
+    for (const auto& [a, b] : frame.insets.segments)
+      cdt.insert_constraint(handles[first + a], handles[first + b]);
     for (auto f = cdt.all_faces_begin(); f != cdt.all_faces_end(); ++f) f->info() = true;
     // Faces reached from infinity, or from within a hole, without crossing a rim are no cloth.
     clear_from(cdt.infinite_face());
@@ -139,22 +153,23 @@ Vec2 circumcentre(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 /// A triangle that is too large and where it would be split.
 struct Candidate {
-  double radius;
+  double radius;  ///< times the largest wanted edge length by that wanted here [m]
   Vec2 centre, centroid;
 };
 
-/// Points with a least distance, in a grid of that size.
+/// Points with a least distance, in a grid of the largest such distance.
 class SpacedPoints {
  public:
-  explicit SpacedPoints(double distance) : distance_(distance) {}
-  bool free(const Vec2& p) const {
+  explicit SpacedPoints(double largest) : distance_(largest) {}
+  /// \pre distance ≤ the largest
+  bool free(const Vec2& p, double distance) const {
     const auto [i, j] = cell(p);
     for (long long di = -1; di <= 1; ++di)
       for (long long dj = -1; dj <= 1; ++dj) {
         const auto found = cells_.find({i + di, j + dj});
         if (found == cells_.end()) continue;
         for (const Vec2& q : found->second)
-          if ((q - p).norm() < distance_) return false;
+          if ((q - p).norm() < distance) return false;
       }
     return true;
   }
@@ -165,32 +180,37 @@ class SpacedPoints {
     return {static_cast<long long>(std::floor(p.x() / distance_)),
             static_cast<long long>(std::floor(p.y() / distance_))};
   }
-  double distance_;
+  double distance_;  ///< size of a cell
   std::map<std::pair<long long, long long>, std::vector<Vec2>> cells_;
 };
 
 /// Adds circumcentres of triangles that are too large until there are none left. Points keep their
-/// distance from each other and from the outline, which is why this ends, however thin the panel.
-void refine(std::vector<Vec2>& points, const Rims& rims, double edge_length) {
-  SpacedPoints spaced(kSpacing * edge_length);
+/// distance from each other and from the frame, which is why this ends, however thin the panel. The
+/// first `fixed` are those of the frame.
+void refine(std::vector<Vec2>& points, int fixed, const Frame& frame) {
+  const MeshSizes& sizes = frame.sizes;
+  SpacedPoints spaced(kSpacing * sizes.largest());
+  for (std::size_t i = fixed; i < points.size(); ++i) spaced.add(points[i]);
   for (int round = 0; round < kMostRounds; ++round) {
     std::vector<Candidate> candidates;
-    for (const auto& [a, b, c] : Triangulation(points, rims).triangles) {
+    for (const auto& [a, b, c] : Triangulation(points, frame).triangles) {
       const double radius = circumradius(points[a], points[b], points[c]);
-      if (radius <= kLargestRadius * edge_length) continue;
       const Vec2 centroid = (points[a] + points[b] + points[c]) / 3;
+      const double size = sizes.at(centroid);
+      if (radius <= kLargestRadius * size) continue;
       const Vec2 centre = circumcentre(points[a], points[b], points[c]);
-      const bool near = centre.allFinite() && (centre - centroid).norm() < 1e3 * edge_length;
-      candidates.push_back({radius, near ? centre : centroid, centroid});
+      const bool near = centre.allFinite() && (centre - centroid).norm() < 1e3 * size;
+      candidates.push_back({radius * (sizes.largest() / size), near ? centre : centroid, centroid});
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& p, const auto& q) { return p.radius > q.radius; });
     const std::size_t before = points.size();
     for (const auto& [radius, centre, centroid] : candidates) {
-      if (!spaced.free(centre)) continue;
+      if (!spaced.free(centre, kSpacing * sizes.at(centre))) continue;
       // A flat triangle at the outline has its circumcentre outside: its own centre will do.
-      const Vec2& p = is_on_cloth(rims, centre) ? centre : centroid;
-      if (!spaced.free(p) || distance_to_rims(rims, p) < kBoundaryGap * edge_length) continue;
+      const Vec2& p = is_on_cloth(frame.rims, centre) ? centre : centroid;
+      if (!spaced.free(p, kSpacing * sizes.at(p)) || frame.distance(p) < kBoundaryGap * sizes.at(p))
+        continue;
       spaced.add(p);
       points.push_back(p);
     }
@@ -214,7 +234,9 @@ bool break_chords(std::vector<Vec2>& points, const std::vector<Triangle>& triang
 }
 
 /// One sweep: every interior point to the area centroid of its triangles, unless one would flip.
-void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int fixed) {
+/// Areas count by the wanted ones, so that points stay as close together as they were put.
+void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, int fixed,
+            const MeshSizes& sizes) {
   const auto twice_area = [](const Vec2& a, const Vec2& b, const Vec2& c) {
     return geometry::cross(b - a, c - a);
   };
@@ -227,7 +249,8 @@ void smooth(std::vector<Vec2>& points, const std::vector<Triangle>& triangles, i
     double weight = 0;
     for (const int t : around[v]) {
       const auto [a, b, c] = triangles[t];
-      const double w = twice_area(points[a], points[b], points[c]);
+      const Vec2 centroid = (points[a] + points[b] + points[c]) / 3;
+      const double w = twice_area(points[a], points[b], points[c]) * sizes.density(centroid);
       sum += w * (points[a] + points[b] + points[c]) / 3;
       weight += w;
     }
@@ -264,7 +287,8 @@ void sort_along_curve(std::vector<Triangle>& triangles, const std::vector<Vec2>&
 
 }  // namespace
 
-PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, double edge_length) {
+PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, double edge_length,
+                     const std::vector<MeshInset>& insets) {
   const std::vector<Vec2> outline = divided_outline(panel, divisions);
   const int n = static_cast<int>(outline.size());
   if (n < 3 || first_self_crossing(outline).first >= 0)
@@ -272,7 +296,8 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
                         fmt::format("an outline of {} points that is not simple", n),
                         "a simple outline");
 
-  Rims rims{outline};
+  Frame frame{{outline}, {}, MeshSizes(edge_length, insets)};
+  Rims& rims = frame.rims;
   std::vector<PanelHole> cut;
   PanelMesh mesh;
   for (const PanelHole& hole : panel.holes) {
@@ -290,19 +315,29 @@ PanelMesh mesh_panel(const Panel& panel, const std::vector<int>& divisions, doub
   }
   std::vector<Vec2> points;
   for (const std::vector<Vec2>& rim : rims) points.insert(points.end(), rim.begin(), rim.end());
-  const int fixed = points_of(rims);
-  refine(points, rims, edge_length);
-  std::vector<Triangle> triangles = Triangulation(points, rims).triangles;
-  for (int step = 0; step < kSmoothingSteps; ++step) {
-    // Chords are broken between sweeps, too, so that the new points find their place.
-    if (step % 5 == 0)
-      break_chords(points, triangles, n);
-    else
-      smooth(points, triangles, fixed);
-    triangles = Triangulation(points, rims).triangles;
+  for (const MeshInset& inset : insets)
+    frame.insets.add(inset, kBoundaryGap, [&](const Vec2& p) {
+      return is_on_cloth(rims, p) ? distance_to_rims(rims, p) : 0.0;
+    });
+  points.insert(points.end(), frame.insets.points.begin(), frame.insets.points.end());
+  const int fixed = static_cast<int>(points.size());
+  std::vector<Triangle> triangles;
+  // Smoothing takes points to where they are wanted close together; what is missing then elsewhere
+  // is added, and smoothed once more.
+  for (int pass = 0; pass < (insets.empty() ? 1 : 2); ++pass) {
+    refine(points, fixed, frame);
+    triangles = Triangulation(points, frame).triangles;
+    for (int step = 0; step < kSmoothingSteps; ++step) {
+      // Chords are broken between sweeps, too, so that the new points find their place.
+      if (step % 5 == 0)
+        break_chords(points, triangles, n);
+      else
+        smooth(points, triangles, fixed, frame.sizes);
+      triangles = Triangulation(points, frame).triangles;
+    }
   }
   for (int round = 0; round < 8 && break_chords(points, triangles, n); ++round)
-    triangles = Triangulation(points, rims).triangles;
+    triangles = Triangulation(points, frame).triangles;
 
   sort_along_curve(triangles, points);
 

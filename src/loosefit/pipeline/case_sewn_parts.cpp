@@ -207,4 +207,24 @@ std::vector<std::string> moved_board_warnings(const CaseResult& result) {
   return warnings;
 }
 
+std::vector<std::string> flexible_board_notes(const scenario::Scenario& scenario) {
+  std::vector<std::string> notes;
+  const auto note = [&](const std::string& what, const garment::BoardMake& board) {
+    if (board.bending || board.membrane_factor)
+      notes.push_back(
+          fmt::format("attachment: the board of {} bends with the cloth, as its keys {} "
+                      "say: without them it is rigid",
+                      what,
+                      !board.membrane_factor ? "bending"
+                      : board.bending        ? "bending and membrane_factor"
+                                             : "membrane_factor"));
+  };
+  for (const garment::Attachment& a : scenario.attachments)
+    if (const auto* board = std::get_if<garment::Board>(&a.part))
+      note("attachment " + a.name, *board);
+  for (const SiteSpec& site : scenario.sites)
+    if (site.board) note("site " + site.name, *site.board);
+  return notes;
+}
+
 }  // namespace loosefit::pipeline

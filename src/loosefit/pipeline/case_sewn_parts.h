@@ -36,4 +36,8 @@ std::vector<garment::Attachment> cables_along(const std::string& name,
 /// drape is more than 15 mm from the skin that the scenario names.
 std::vector<std::string> moved_board_warnings(const CaseResult& result);
 
+/// One line for every board that bends with the cloth because raw figures say so: up to version 0.3
+/// all boards did.
+std::vector<std::string> flexible_board_notes(const scenario::Scenario& scenario);
+
 }  // namespace loosefit::pipeline

@@ -287,7 +287,9 @@ std::vector<std::string> state_warnings(const CaseResult& result) {
 }
 
 std::vector<std::string> case_warnings(const CaseResult& result) {
-  Lines all = moved_board_warnings(result);
+  Lines all = flexible_board_notes(result.scenario);
+  const Lines moved = moved_board_warnings(result);
+  all.insert(all.end(), moved.begin(), moved.end());
   add(all, "body", result.body.warnings);
   add(all, "body", result.body.dressing_warnings);
   Lines of_donnings = result.wear.warnings;

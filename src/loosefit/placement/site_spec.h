@@ -2,17 +2,18 @@
 #include <optional>
 #include <string>
 
+#include "loosefit/garment/attachment.h"
 #include "loosefit/placement/address.h"
 #include "loosefit/placement/footprint.h"
 #include "loosefit/placement/line_spec.h"
 
 namespace loosefit::placement {
 
-/// The sensor as a part of the garment: what lies under a disc or rectangle footprint.
-struct SensorBoard {
-  double mass = 0;              ///< [kg]
-  double bending = 1e-3;        ///< rigidity added [N m]
-  double membrane_factor = 10;  ///< in-plane stiffness multiplier, ≥ 1
+/// The sensor as a part of the garment.
+struct SensorBoard : garment::BoardMake {
+  /// Extent across and along the sensor's axis [m]; zero: that of the footprint, which then is a
+  /// disc or a rectangle.
+  Vec2 size = Vec2::Zero();
 };
 
 /// Where a sensor is wanted, in one of three ways: a place in the pattern, a body landmark or
@@ -27,7 +28,7 @@ struct SiteSpec {
   /// takes the axis along.
   double angle = 0;
   FootprintShape footprint = {};
-  std::optional<SensorBoard> board = {};  ///< simulated as a stiff part
+  std::optional<SensorBoard> board = {};  ///< simulated as the body it is
   /// A sensor that is a line: then it has no place and footprint of the others, and is found by
   /// lines/find_course.h.
   std::optional<LineSpec> line = {};

@@ -218,15 +218,15 @@ std::vector<garment::Attachment> site_boards(const std::vector<SiteSpec>& sites)
       throw InvalidInput(InputPlace{"", 0, site_key(i, "board")}, "a board without a place",
                          "panel and at", "");
     garment::Board board;
+    static_cast<garment::BoardMake&>(board) = *site.board;
     board.centre = site.at;
     board.angle = site.angle;
-    if (site.footprint.kind == FootprintShape::Kind::disc)
+    if (!site.board->size.isZero())
+      board.size = site.board->size;
+    else if (site.footprint.kind == FootprintShape::Kind::disc)
       board.radius = site.footprint.radius;
     else
       board.size = site.footprint.size;
-    board.mass = site.board->mass;
-    board.bending = site.board->bending;
-    board.membrane_factor = site.board->membrane_factor;
     boards.push_back({site.name, site.panel, board});
   }
   return boards;

@@ -15,16 +15,18 @@ void FullProblem::assemble(const particles::VectorField& x, particles::HessianKi
 }
 
 bool FullProblem::factorise(double shift) {
-  shift_.resize(system_.particles());
-  for (int i = 0; i < system_.particles(); ++i) shift_[i] = shift * system_.mass[i];
+  shift_ = system_.carried_mass();
+  for (double& m : shift_) m *= shift;
+  no_unknown_ = system_.no_unknown();
   ++work_.factorisations;
   const Stopwatch watch(work_.factorise);
-  return linear_.factorise(tangent_.matrix(), shift_, system_.held);
+  return linear_.factorise(tangent_.matrix(), shift_, no_unknown_);
 }
 
 void FullProblem::solve(const particles::VectorField& g, particles::VectorField& dx) {
   const Stopwatch watch(work_.solve);
   linear_.solve(g, dx);
+  system_.move_followers(dx);
 }
 
 double FullProblem::max_step(const particles::VectorField& x, const particles::VectorField& dx) {

@@ -33,6 +33,7 @@ class FullProblem : public NewtonProblem {
   TangentMatrix tangent_;
   NewtonSystem linear_;
   std::vector<double> shift_;  ///< shift times mass [kg/s²]
+  std::vector<char> no_unknown_;
   SolverWork work_;
 };
 

@@ -14,6 +14,7 @@ class ImplicitEuler : public Integrator {
     Newton newton(system_, tuning_);
     newton.restart(options.max_move);
     system_.set_tangent(particles::BendingTangent::plate);
+    system_.flatten_plates(x);
     SettleOutcome outcome;
     particles::VectorField v(x.size(), Vec3::Zero());
     const double dt = options.first_dt;

@@ -20,6 +20,7 @@ double InertiaTerm::energy(const particles::VectorField& x) const {
 void InertiaTerm::add_gradient(const particles::VectorField& x, particles::VectorField& g) const {
   if (per_dt2_ > 0)
     for (std::size_t i = 0; i < x.size(); ++i) g[i] += gradient(static_cast<int>(i), x);
+  if (per_dt2_ > 0) system_.gather_forces(g);
 }
 
 }  // namespace loosefit::solver

@@ -13,9 +13,9 @@ class InertiaTerm {
   /// 1/dt² [1/s²].
   double per_dt2() const { return per_dt2_; }
   double energy(const particles::VectorField& x) const;
-  /// g += its gradient [N].
+  /// g += its gradient [N], that of followers at their leaders.
   void add_gradient(const particles::VectorField& x, particles::VectorField& g) const;
-  /// Its gradient at one particle [N].
+  /// Its gradient at one particle by itself [N].
   Vec3 gradient(int i, const particles::VectorField& x) const {
     if (per_dt2_ == 0 || system_.is_held(i)) return Vec3::Zero();
     return system_.mass[i] * per_dt2_ * (x[i] - target_[i]);

@@ -1,9 +1,98 @@
 #include "loosefit/solver/particle_system.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace loosefit::solver {
+
+namespace {
+
+constexpr double kFlat = 1e-8;  ///< [m] of a vertex off its plate that is left alone
+
+}  // namespace
+
+std::vector<char> ParticleSystem::no_unknown() const {
+  if (plates.empty()) return held;
+  std::vector<char> none = held;
+  none.resize(mass.size(), 0);
+  for (const Plate& plate : plates)
+    for (int i : plate.followers) none[i] = 1;
+  return none;
+}
+
+std::vector<char> ParticleSystem::on_plate() const {
+  std::vector<char> on(plates.empty() ? 0 : mass.size(), 0);
+  for (const Plate& plate : plates) {
+    for (int i : plate.leaders) on[i] = 1;
+    for (int i : plate.followers) on[i] = 1;
+  }
+  return on;
+}
+
+std::vector<double> ParticleSystem::carried_mass() const {
+  std::vector<double> carried = mass;
+  for (const Plate& plate : plates)
+    for (std::size_t f = 0; f < plate.followers.size(); ++f) {
+      const Vec3 share = plate.weights[f].cwiseAbs();
+      for (int k = 0; k < 3; ++k)
+        carried[plate.leaders[k]] += mass[plate.followers[f]] * share[k] * share.sum();
+    }
+  return carried;
+}
+
+void ParticleSystem::gather_forces(particles::VectorField& force) const {
+  for (const Plate& plate : plates)
+    for (std::size_t f = 0; f < plate.followers.size(); ++f) {
+      Vec3& own = force[plate.followers[f]];
+      for (int k = 0; k < 3; ++k)
+        if (!is_held(plate.leaders[k])) force[plate.leaders[k]] += plate.weights[f][k] * own;
+      own.setZero();
+    }
+}
+
+void ParticleSystem::move_followers(particles::VectorField& dx) const {
+  for (const Plate& plate : plates)
+    for (std::size_t f = 0; f < plate.followers.size(); ++f) {
+      Vec3 sum = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) sum += plate.weights[f][k] * dx[plate.leaders[k]];
+      dx[plate.followers[f]] = sum;
+    }
+}
+
+bool ParticleSystem::flatten_plates(particles::VectorField& x) const {
+  particles::VectorField dx;
+  double farthest = 0;
+  for (const Plate& plate : plates) {
+    double off = 0;
+    for (std::size_t f = 0; f < plate.followers.size(); ++f) {
+      Vec3 there = Vec3::Zero();
+      for (int k = 0; k < 3; ++k) there += plate.weights[f][k] * x[plate.leaders[k]];
+      off = std::max(off, (there - x[plate.followers[f]]).norm());
+    }
+    farthest = std::max(farthest, off);
+    if (off <= kFlat) continue;
+    if (dx.empty()) dx.assign(x.size(), Vec3::Zero());
+    // Least squares over all its particles; held leaders stay, and then so does the plate.
+    Mat3 normal = Mat3::Identity(), right;
+    for (int k = 0; k < 3; ++k) right.row(k) = x[plate.leaders[k]];
+    const bool is_free =
+        std::none_of(plate.leaders.begin(), plate.leaders.end(), [&](int i) { return is_held(i); });
+    if (is_free)
+      for (std::size_t f = 0; f < plate.followers.size(); ++f) {
+        normal += plate.weights[f] * plate.weights[f].transpose();
+        right += plate.weights[f] * x[plate.followers[f]].transpose();
+      }
+    const Mat3 leaders = normal.inverse() * right;
+    for (int k = 0; k < 3; ++k)
+      dx[plate.leaders[k]] = leaders.row(k).transpose() - x[plate.leaders[k]];
+    for (std::size_t f = 0; f < plate.followers.size(); ++f)
+      dx[plate.followers[f]] = leaders.transpose() * plate.weights[f] - x[plate.followers[f]];
+  }
+  if (farthest <= kFlat) return false;
+  const double share = max_step(x, dx);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * dx[i];
+  return true;
+}
 
 void ParticleSystem::set_tangent(particles::BendingTangent tangent) const {
   for (particles::Energy* e : energies)
@@ -38,6 +127,7 @@ double ParticleSystem::potential(const particles::VectorField& x) const {
 particles::VectorField ParticleSystem::gradient(const particles::VectorField& x) const {
   particles::VectorField g(x.size(), Vec3::Zero());
   for (const particles::Energy* e : energies) e->add_gradient(x, g);
+  gather_forces(g);
   if (!held.empty())
     for (std::size_t i = 0; i < x.size(); ++i)
       if (held[i]) g[i].setZero();
@@ -49,6 +139,7 @@ double ParticleSystem::potential_and_gradient(const particles::VectorField& x,
   g.assign(x.size(), Vec3::Zero());
   double sum = 0;
   for (const particles::Energy* e : energies) sum += e->value_and_gradient(x, g);
+  gather_forces(g);
   if (!held.empty())
     for (std::size_t i = 0; i < x.size(); ++i)
       if (held[i]) g[i].setZero();

@@ -35,6 +35,7 @@ class QuasiStatic : public Integrator {
       : system_(system), tuning_(tuning), method_(std::move(method)) {}
 
   SettleOutcome settle(particles::VectorField& x, const SettleOptions& options) override {
+    system_.flatten_plates(x);
     start(x, options);
     SettleOutcome outcome;
     const auto end = [&](SettleOutcome::Reason reason) {
@@ -42,6 +43,7 @@ class QuasiStatic : public Integrator {
       return outcome;
     };
     while (true) {
+      system_.flatten_plates(x);  // what something in the way had kept bent
       renew_friction(x);
       const bool is_over =
           check_convergence(system_, method_->gradient(x), options.goal(), outcome);

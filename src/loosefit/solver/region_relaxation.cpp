@@ -6,7 +6,7 @@ std::optional<int> RegionRelaxation::relax(particles::VectorField& x,
                                            const particles::VectorField& force,
                                            const InertiaTerm& inertia, double max_move,
                                            const std::vector<int>& order, TangentMatrix& tangent) {
-  ResidualRegion region = residual_region(tangent.matrix(), force, tuning_);
+  ResidualRegion region = residual_region(tangent.matrix(), force, tuning_, system_.on_plate());
   if (region.empty()) return std::nullopt;
   problem_.set_region(std::move(region), tangent, order);
   step_.set_max_move(max_move);

@@ -43,15 +43,22 @@ void add_ring(const particles::BlockMatrix& matrix, std::vector<char>& inside) {
 }  // namespace
 
 ResidualRegion residual_region(const particles::BlockMatrix& matrix,
-                               const particles::VectorField& force, const RegionTuning& tuning) {
+                               const particles::VectorField& force, const RegionTuning& tuning,
+                               const std::vector<char>& left_out) {
   const auto n = static_cast<double>(force.size());
   std::vector<char> inside(force.size(), 0);
+  const auto leave_out = [&](std::vector<char>& of) {
+    for (std::size_t i = 0; i < left_out.size(); ++i)
+      if (left_out[i]) of[i] = 0;
+  };
   const auto seeds =
       seeds_of(force, tuning.force_share, static_cast<std::size_t>(tuning.max_seeds * n));
   for (int i : seeds) inside[i] = 1;
+  leave_out(inside);
   for (int ring = 0; ring < tuning.rings && !seeds.empty(); ++ring) {
     std::vector<char> wider = inside;
     add_ring(matrix, wider);
+    leave_out(wider);
     if (static_cast<double>(std::count(wider.begin(), wider.end(), 1)) > tuning.max_extent * n)
       break;
     inside.swap(wider);

@@ -16,9 +16,11 @@ struct ResidualRegion {
 
 /// The fewest particles that bear their share of the force, and as many rings round them as the
 /// tuning allows. Empty where that takes too many seeds, for then the force is spread out.
-/// Particles without force are never seeds. Of `matrix` only the pattern counts.
+/// Particles without force are never seeds. Of `matrix` only the pattern counts. left_out: non-zero
+/// for particles that belong to no region; empty: all may.
 ResidualRegion residual_region(const particles::BlockMatrix& matrix,
-                               const particles::VectorField& force, const RegionTuning& tuning);
+                               const particles::VectorField& force, const RegionTuning& tuning,
+                               const std::vector<char>& left_out = {});
 
 /// Which blocks of a matrix those of a part of it are.
 struct RestrictedBlocks {

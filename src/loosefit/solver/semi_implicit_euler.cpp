@@ -14,14 +14,15 @@ void semi_implicit_euler_step(const ParticleSystem& system, particles::VectorFie
   system.begin_step(before, dt);
   const particles::VectorField g = system.gradient(x);
   particles::VectorField dx(x.size(), Vec3::Zero());
+  const std::vector<double> mass = system.carried_mass();
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (system.is_held(static_cast<int>(i))) {
+    if (system.is_held(static_cast<int>(i)))
       v[i].setZero();
-      continue;
-    }
-    v[i] -= dt / system.mass[i] * g[i];
-    dx[i] = dt * v[i];
+    else
+      v[i] -= dt / mass[i] * g[i];
   }
+  system.move_followers(v);
+  for (std::size_t i = 0; i < x.size(); ++i) dx[i] = dt * v[i];
   // Collisions limit the step; the velocity that it cuts off is lost, a perfectly inelastic impact.
   const double share = system.max_step(x, dx);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] += share * dx[i];
@@ -65,6 +66,7 @@ class SemiImplicitEuler : public Integrator {
 
   SettleOutcome settle(particles::VectorField& x, const SettleOptions& options) override {
     SettleOutcome outcome;
+    system_.flatten_plates(x);
     particles::VectorField v(x.size(), Vec3::Zero());
     double dt = 0, kinetic_before = 0;
     for (int step = 0;; ++step) {

@@ -14,16 +14,19 @@ namespace {
 class ShiftedHessian {
  public:
   ShiftedHessian(const ParticleSystem& system, const particles::VectorField& x)
-      : system_(system), tangent_(system) {
+      : system_(system),
+        tangent_(system),
+        mass_(system.carried_mass()),
+        no_unknown_(system.no_unknown()) {
     system.set_tangent(particles::BendingTangent::plate);
     tangent_.assemble(x, particles::HessianKind::exact);
   }
 
   /// Whether H + shift M is positive definite, shift [1/s²].
   bool factorise(double shift) {
-    std::vector<double> inertia(system_.mass);
+    std::vector<double> inertia(mass_);
     for (double& m : inertia) m *= shift;
-    return cholesky_.factorise(tangent_.matrix(), inertia, system_.held);
+    return cholesky_.factorise(tangent_.matrix(), inertia, no_unknown_);
   }
   /// (H + shift M)⁻¹ M v of the last factor. \pre factorise returned true
   particles::VectorField inverse(const particles::VectorField& v) const {
@@ -38,19 +41,22 @@ class ShiftedHessian {
     tangent_.matrix().add_product(v, product);
     return particles::dot(v, product) / particles::dot(v, by_mass(v));
   }
+  /// Leaves the unknowns alone.
   void clear_held(particles::VectorField& v) const {
-    for (int i = 0; i < system_.particles(); ++i)
-      if (system_.is_held(i)) v[i].setZero();
+    for (std::size_t i = 0; i < no_unknown_.size(); ++i)
+      if (no_unknown_[i]) v[i].setZero();
   }
 
  private:
   particles::VectorField by_mass(particles::VectorField v) const {
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] *= system_.mass[i];
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] *= mass_[i];
     return v;
   }
 
   const ParticleSystem& system_;
   TangentMatrix tangent_;
+  std::vector<double> mass_;
+  std::vector<char> no_unknown_;
   SparseCholesky<double> cholesky_;
 };
 
@@ -113,6 +119,7 @@ std::optional<UnstableMode> lowest_unstable_mode(const ParticleSystem& system,
       break;
   }
   if (!(mode.curvature < 0)) return std::nullopt;
+  system.move_followers(mode.direction);
   return mode;
 }
 
