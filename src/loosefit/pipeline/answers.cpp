@@ -142,13 +142,11 @@ void add_expectation(const placement::RankingTable& table, int index, Answer& an
     answer.low = *std::min_element(values.begin(), values.end());
     answer.high = *std::max_element(values.begin(), values.end());
     const std::string interval =
-        values.size() > 1
-            ? number_words(answer.low) + " to " + number_words(answer.high) + ", "
-            : "";
-    answer.expectation =
-        fmt::format("Expect {}: {} ({}{}).", words_of(criterion.metric),
-                    value_words(answer.expected, answer.unit), interval,
-                    of_samples(static_cast<int>(values.size()), answer.people));
+        values.size() > 1 ? number_words(answer.low) + " to " + number_words(answer.high) + ", "
+                          : "";
+    answer.expectation = fmt::format("Expect {}: {} ({}{}).", words_of(criterion.metric),
+                                     value_words(answer.expected, answer.unit), interval,
+                                     of_samples(static_cast<int>(values.size()), answer.people));
     return;
   }
 }
@@ -245,9 +243,8 @@ bool wished(const CaseResult& result, const std::string& name) {
 /// The best place of a table, and the other places that were asked for by name.
 void add_ranked(const CaseResult& result, const placement::RankingTable& table, bool asked,
                 std::vector<Answer>& answers) {
-  const placement::RankedSite* best = asked && !table.ranking.sites.empty()
-                                          ? &table.ranking.sites.front()
-                                          : best_of(table);
+  const placement::RankedSite* best =
+      asked && !table.ranking.sites.empty() ? &table.ranking.sites.front() : best_of(table);
   if (!best) return;
   const std::string plan = "sewing-plan-" + table.scorecard.name;
   const auto add = [&](const placement::RankedSite& site, bool is_best) {
@@ -269,8 +266,9 @@ void add_line(const CaseLine& line, const CaseLine::Verdict& verdict,
   answer.site = line.name;
   answer.asked = true;
   answer.samples = static_cast<int>(line.metrics.size());
-  answer.place = fmt::format("Sew the line {} as lines.svg shows it, {:.1f} cm long in the flat cloth.",
-                             line.name, 100 * line.course.length);
+  answer.place =
+      fmt::format("Sew the line {} as lines.svg shows it, {:.1f} cm long in the flat cloth.",
+                  line.name, 100 * line.course.length);
   if (verdict.score.q) {
     answer.passes = verdict.passes();
     answer.verdict = fmt::format("It {} in the donning that does worst.",
@@ -292,13 +290,13 @@ void add_usual(const CaseResult& result, std::vector<Answer>& answers) {
   if (!std::all_of(sites.begin(), sites.end(), is_preset)) std::erase_if(sites, is_preset);
   if (sites.empty()) return;
   const CaseGarment& garment = result.studied();
-  const placement::SiteMeter meter(
-      garment.mesh(), result.scenario.studied().material.material, worn_states(result));
+  const placement::SiteMeter meter(garment.mesh(), result.scenario.studied().material.material,
+                                   worn_states(result));
   const placement::RankingGround ground{garment.mesh(), garment.drape.positions, result.body.body,
                                         garment.maps.worn, meter};
   const bool postures = result.wear.postures.size() > 1;
-  for (const char* modality : {postures ? "imu-inclination" : "imu-uncalibrated", "ecg", "ppg",
-                               "strain-respiration"}) {
+  for (const char* modality :
+       {postures ? "imu-inclination" : "imu-uncalibrated", "ecg", "ppg", "strain-respiration"}) {
     placement::RankingWish wish;
     wish.scorecard = io::load_scorecard(modality);
     wish.sites = sites;

@@ -84,8 +84,9 @@ std::string worn_with_sensor(const pipeline::CaseResult& result, const pipeline:
       path += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", a.x(), a.y(), b.x(), b.y());
     }
   const Vec2 spot = on_sheet(at);
-  return svg_open(size.x(), size.y(), std::string("The garment from ") +
-                                          (side > 0 ? "behind" : "the front") + " with the sensor") +
+  return svg_open(size.x(), size.y(),
+                  std::string("The garment from ") + (side > 0 ? "behind" : "the front") +
+                      " with the sensor") +
          "<path class=\"seam\" d=\"" + path + "\"/>" +
          fmt::format("<circle class=\"spot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\"/>", spot.x(),
                      spot.y()) +
@@ -104,8 +105,8 @@ std::string card(const pipeline::CaseResult& result, const pipeline::Answer& ans
   const char* word = !answer.passes ? "undecided" : *answer.passes ? "passes" : "does not pass";
   std::string text = element("h2", "<span class=\"verdict " + std::string(kind) + "\">" + word +
                                        "</span>" + escaped(answer.sensor));
-  text += element("p", element("strong", escaped(answer.place)) + " " +
-                           escaped(answer.expectation));
+  text +=
+      element("p", element("strong", escaped(answer.place)) + " " + escaped(answer.expectation));
   std::string rest = answer.verdict;
   for (const std::string& more : {answer.limit, answer.need})
     if (!more.empty()) rest += " " + more;
