@@ -13,7 +13,8 @@ TEST(SiteValues, OneNameIsOneQuantity) {
   for (const maps::MapDefinition& map : maps::map_catalogue())
     for (const maps::MapArray& array : map.arrays) site.map_values[array.style.array] = {-1, -2};
   placement::MetricValues sensor;
-  for (const placement::MetricName& metric : placement::metric_vocabulary()) sensor[metric.name] = 1;
+  for (const placement::MetricName& metric : placement::metric_vocabulary())
+    sensor[metric.name] = 1;
   site.samples = {sensor};
   for (const auto& [name, value] : site_values(site)) {
     const bool metric = placement::find_metric(name) != nullptr;

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include <cmath>
 #include <memory>
+#include <random>
 
 #include "loosefit/base/error.h"
 #include "support/tube_garment.h"
@@ -135,7 +134,8 @@ TEST_F(SiteRanking, EveryMetricIsThatOfTheSitesOwnFootprint) {
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const MetricValues& ranked = table.sites[i].samples.at(0);
     EXPECT_NEAR(ranked.at("sensor_diameter_mm"), 1e3 * specs[i].footprint.size.maxCoeff(), 1e-9);
-    const MetricValues here = probe.at(wish_.sites[i]).at(0), state = probe.in_states(wish_.sites[i]).at(0);
+    const MetricValues here = probe.at(wish_.sites[i]).at(0),
+                       state = probe.in_states(wish_.sites[i]).at(0);
     for (const auto& [metric, value] : ranked) {
       if (!std::isfinite(value)) continue;
       EXPECT_EQ(here.at(metric), value) << metric;

@@ -70,8 +70,7 @@ TEST(RankingText, OneSampleHasNoColumnsOfSpread) {
   const auto text = lines(ranking_text(t));
   EXPECT_EQ(text[0], "Plain sensor: 1 sample, passes from 0.5");
   EXPECT_EQ(text[2], "rank  site  panel u, v [mm]  score  limited by");
-  EXPECT_EQ(text[3],
-            "1     a     front 100, 200   0.40   lifts off: 0.4, good from 1, fails at 0");
+  EXPECT_EQ(text[3], "1     a     front 100, 200   0.40   lifts off: 0.4, good from 1, fails at 0");
 }
 
 TEST(RankingText, OfAPartSaysThatScoresAreBounds) {
@@ -91,9 +90,9 @@ TEST(RankingCsv, QuotesAndKeepsOneShape) {
   EXPECT_EQ(rows[0].substr(rows[0].rfind("tolerance_around_mm")),
             "tolerance_around_mm,contact_ratio,gap_mm,sensor_diameter_mm");
   EXPECT_EQ(rows[3].substr(0, 34), "3,\"low, \"\"left\"\"\",0.2,0.25,0,0.2,0");
-  EXPECT_NE(
-      rows[3].find(",first,chest,front,0.1,0.2,90,1,2,3,30,,forearm,left,50,100,70,,disc of 24 mm,,,0.25,3,24"),
-      std::string::npos)
+  EXPECT_NE(rows[3].find(",first,chest,front,0.1,0.2,90,1,2,3,30,,forearm,left,50,100,70,,disc of "
+                         "24 mm,,,0.25,3,24"),
+            std::string::npos)
       << rows[3];
   EXPECT_NE(rows[1].find(",12,4,"), std::string::npos) << "tolerance in mm: " << rows[1];
   EXPECT_EQ(rows[4].substr(0, 7), ",torn,,");

@@ -106,16 +106,15 @@ Posture named_posture(const std::string& name) {
     const std::string joints = name.substr(plus + 1);
     const auto angles = joint_angles(joints);
     if (!angles)
-      throw InvalidInput(
-          {"", 0, "posture"}, "\"" + printable(joints) + "\" behind " + known,
-          "joints with their angles in degrees, as in sitting+elbow-flexion-90", "");
+      throw InvalidInput({"", 0, "posture"}, "\"" + printable(joints) + "\" behind " + known,
+                         "joints with their angles in degrees, as in sitting+elbow-flexion-90", "");
     for (const JointAngle& angle : *angles)
       if (posture.sitting > 0 && (angle.joint.find("hip-") != std::string::npos ||
                                   angle.joint.find("knee-") != std::string::npos))
-        throw InvalidInput({"", 0, "posture"}, "\"" + printable(name) + "\"",
-                           "joints of the arms, the trunk or the wrists: " + known +
-                               " tells where the legs are",
-                           "");
+        throw InvalidInput(
+            {"", 0, "posture"}, "\"" + printable(name) + "\"",
+            "joints of the arms, the trunk or the wrists: " + known + " tells where the legs are",
+            "");
     return joint_posture(*angles, posture);
   }
   if (const auto angles = joint_angles(name)) return joint_posture(*angles);

@@ -59,10 +59,11 @@ body::Posture posture_by_name(const std::string& name, const ConfigReader& table
   } catch (const InvalidInput& error) {
     throw table.error(key, error.found(), error.expected(), error.hint());
   }
-  throw table.error(key, toml_quoted(name),
-                    "texts from " + join(known) +
-                        ", or joints as in elbow-flexion-90, or both as in sitting+elbow-flexion-90",
-                    closest_match(name, known).empty() ? "" : did_you_mean(name, known));
+  throw table.error(
+      key, toml_quoted(name),
+      "texts from " + join(known) +
+          ", or joints as in elbow-flexion-90, or both as in sitting+elbow-flexion-90",
+      closest_match(name, known).empty() ? "" : did_you_mean(name, known));
 }
 
 std::string posture_pattern() {

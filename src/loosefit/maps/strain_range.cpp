@@ -23,7 +23,7 @@ bool add(DirectionRange& range, double value, double area) {
 }
 
 constexpr double kCrushed = -0.5;  ///< strain [–]
-constexpr double kTears = 0.35;    ///< where the card states nothing (docs/theory/materials.md 8) [–]
+constexpr double kTears = 0.35;  ///< where the card states nothing (docs/theory/materials.md 8) [–]
 
 constexpr double kTornShare = 0.5;   ///< of the cloth of a region
 constexpr double kTornArea = 20e-4;  ///< [m²], that no single bad triangle makes up

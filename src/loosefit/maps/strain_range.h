@@ -26,8 +26,8 @@ struct StrainRange {
   double share_beyond = 0;
 
   // Of the triangles as they are, without drawing fine waves straight.
-  std::vector<int> crushed;  ///< a yarn direction is shorter than half its flat length
-  std::vector<int> torn;     ///< a yarn direction is longer than the cloth bears
+  std::vector<int> crushed;    ///< a yarn direction is shorter than half its flat length
+  std::vector<int> torn;       ///< a yarn direction is longer than the cloth bears
   double least = 0, most = 0;  ///< strains of yarn directions, of any triangle [–]
 };
 

@@ -50,9 +50,9 @@ SiteStage make_sites(const CaseResult& mapped) {
   for (const CaseState& state : mapped.wear.states) {
     std::vector<placement::Site>& here = made.in_states.emplace_back();
     if (!state.counts()) continue;
-    here = revisit_sites(made.sites, mesh, state.drape().positions,
-                         mapped.body_in(state.id.posture), state.maps.worn,
-                         plain_maps(state.maps.maps));
+    here =
+        revisit_sites(made.sites, mesh, state.drape().positions, mapped.body_in(state.id.posture),
+                      state.maps.worn, plain_maps(state.maps.maps));
     ++measured;
     for (std::size_t i = 0; i < here.size(); ++i) here[i].samples = {in_states[i][measured]};
   }
@@ -62,8 +62,8 @@ SiteStage make_sites(const CaseResult& mapped) {
 std::vector<placement::Site> sites_in_drape(const CaseResult& mapped, const drape::Drape& drape,
                                             const CaseMaps& maps, const body::PosedBody& body) {
   const garment::Garment& mesh = mapped.studied().mesh();
-  std::vector<placement::Site> sites = revisit_sites(mapped.sites, mesh, drape.positions, body,
-                                                     maps.worn, plain_maps(maps.maps));
+  std::vector<placement::Site> sites =
+      revisit_sites(mapped.sites, mesh, drape.positions, body, maps.worn, plain_maps(maps.maps));
   const maps::PressureField& pressure = maps.pressure.field;
   const std::vector<placement::WornState> state = {
       {0, 0, drape.positions, body, maps.worn, pressure.empty() ? nullptr : &pressure}};

@@ -33,11 +33,11 @@ struct StateMaps {
 /// The garments in one more posture or after one more donning.
 struct CaseState {
   StateId id;
-  std::string name;                       ///< of the posture
-  std::vector<drape::Drape> drapes = {};  ///< one per garment, the innermost first; empty: none
-  double seconds = 0;                     ///< to drape it
-  std::string left_out = {};              ///< why there is no drape to speak of; else empty
-  StateMaps maps = {};                    ///< of a drape that counts
+  std::string name;                         ///< of the posture
+  std::vector<drape::Drape> drapes = {};    ///< one per garment, the innermost first; empty: none
+  double seconds = 0;                       ///< to drape it
+  std::string left_out = {};                ///< why there is no drape to speak of; else empty
+  StateMaps maps = {};                      ///< of a drape that counts
   std::vector<placement::Site> sites = {};  ///< the case's sites in this drape, if it counts
 
   bool draped() const { return !drapes.empty(); }

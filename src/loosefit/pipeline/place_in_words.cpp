@@ -40,11 +40,10 @@ std::string on_trunk(const placement::BodyAddress& address, const placement::Seg
   const double right = (address.percent.x() - 50) / 100 * extent.x();
   const bool chest = address.segment == BodySegment::chest;
   const double along = address.percent.z() / 100 * extent.z();
-  const std::string across =
-      std::abs(right) < kMiddle
-          ? "in the middle"
-          : centimetres(right) + " to the wearer's " + (right > 0 ? "right" : "left") +
-                " of the middle";
+  const std::string across = std::abs(right) < kMiddle
+                                 ? "in the middle"
+                                 : centimetres(right) + " to the wearer's " +
+                                       (right > 0 ? "right" : "left") + " of the middle";
   return region_words(region) + ", " + across + ", " +
          (chest ? height_words(-along, "the nape") : height_words(along, "the navel"));
 }
@@ -54,8 +53,8 @@ std::string on_limb(const placement::BodyAddress& address, const placement::Segm
   const double lateral = address.side > 0 ? 100 - address.percent.x() : address.percent.x();
   const double front = address.percent.y();
   const bool sideways = std::abs(lateral - 50) > std::abs(front - 50);
-  const char* face = sideways ? (lateral > 50 ? "outer side" : "inner side")
-                              : (front > 50 ? "front" : "back");
+  const char* face =
+      sideways ? (lateral > 50 ? "outer side" : "inner side") : (front > 50 ? "front" : "back");
   const double above = address.percent.z() / 100 * (axes.high - axes.low).z();
   std::string limb = placement::name(address.segment);
   std::replace(limb.begin(), limb.end(), '_', ' ');

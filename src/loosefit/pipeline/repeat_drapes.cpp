@@ -112,10 +112,9 @@ CaseRepeats repeat_drapes(const CaseResult& result, int at_once, Progress& progr
   progress.stage("repeats");
   std::vector<Repeat> made(repeats);
   if (result.certificate().holds())
-    made.front().samples =
-        samples_of(result.studied().maps.maps,
-                   sites_in_drape(result, result.studied().drape, result.studied().maps,
-                                  result.body.body));
+    made.front().samples = samples_of(
+        result.studied().maps.maps,
+        sites_in_drape(result, result.studied().drape, result.studied().maps, result.body.body));
   std::vector<DrapeJob> jobs;
   for (int repeat = 1; repeat < repeats; ++repeat)
     jobs.push_back({fmt::format("repeat {}", repeat + 1),

@@ -16,9 +16,10 @@ struct RankingWearer {
   std::vector<Site> sites = {};
 };
 
-/// Gives sites the scorecard's sensor: its footprint, its axis along or around the segment (a stated
-/// angle other than 0 is kept). A site that was asked for by name and states a footprint of its own
-/// keeps it with its angle; girth lines stay. What depends on the footprint is to be made anew.
+/// Gives sites the scorecard's sensor: its footprint, its axis along or around the segment (a
+/// stated angle other than 0 is kept). A site that was asked for by name and states a footprint of
+/// its own keeps it with its angle; girth lines stay. What depends on the footprint is to be made
+/// anew.
 void give_sensor(const RankingGround& ground, const Scorecard& scorecard, std::vector<Site>& sites);
 
 /// The same sites described anew. Girth lines are left out, named in `left_out`, when the

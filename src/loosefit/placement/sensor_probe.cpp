@@ -53,9 +53,8 @@ std::vector<MetricValues> SensorProbe::in_states(const Site& site) const {
   const std::vector<SiteState> states = ground_.meter.measure(patch_of(site));
   std::vector<MetricValues> all;
   for (std::size_t k = 0; k < states.size(); ++k)
-    all.push_back(
-        with_derived(site_metrics_of_state(states, k, ground_.meter.reference_posture()),
-                     scorecard_.parameters, site.shape));
+    all.push_back(with_derived(site_metrics_of_state(states, k, ground_.meter.reference_posture()),
+                               scorecard_.parameters, site.shape));
   return all;
 }
 

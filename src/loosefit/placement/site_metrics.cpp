@@ -195,8 +195,7 @@ std::map<std::string, double> site_metrics_of_state(const std::vector<SiteState>
   // Turn and slip are those since the reference posture of the same donning.
   for (const SiteState& reference : states) {
     if (reference.posture != reference_posture || reference.donning != state.donning) continue;
-    const std::map<std::string, double> change =
-        summarised({reference, state}, reference_posture);
+    const std::map<std::string, double> change = summarised({reference, state}, reference_posture);
     for (const CatalogueMetric& source : catalogue_metrics()) {
       const bool compares =
           source.reading < 0 || source.metric->states == maps::OverStates::greatest_change;

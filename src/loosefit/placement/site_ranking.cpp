@@ -125,9 +125,10 @@ class Table {
     options.wearer_of_sample = wearers_.sample_wearers();
     table_.ranking = rank_sites(table_.sites, table_.scorecard, options);
     const std::vector<RankedSite>& ranked = table_.ranking.sites;
-    if (wish_.tolerances) tbb::parallel_for(std::size_t{0}, ranked.size(), [&](std::size_t i) {
-      if (ranked[i].score.rated() && ranked[i].score.robust > 0) add_tolerance(ranked[i].index);
-    });
+    if (wish_.tolerances)
+      tbb::parallel_for(std::size_t{0}, ranked.size(), [&](std::size_t i) {
+        if (ranked[i].score.rated() && ranked[i].score.robust > 0) add_tolerance(ranked[i].index);
+      });
     note_borders();
     return std::move(table_);
   }

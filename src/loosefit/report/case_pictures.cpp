@@ -88,7 +88,8 @@ std::vector<render::Picture> draw_case(const Path& folder, const pipeline::CaseR
   const pipeline::CaseGarment& studied = result.studied();
   options.marked = marked_lines(result, studied.drape.positions);
   return render::render_pictures(screen, folder / kMapFolder, result.body.body, studied.mesh(),
-                                 studied.drape.positions, fitted_maps(result), options, [&progress](double share) {
+                                 studied.drape.positions, fitted_maps(result), options,
+                                 [&progress](double share) {
                                    progress.check_cancelled();
                                    progress.update(share, "pictures");
                                  });

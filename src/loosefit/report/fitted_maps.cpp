@@ -10,8 +10,7 @@ namespace loosefit::report {
 std::vector<maps::MapArrayStyle> fitted_styles(const pipeline::CaseResult& result) {
   std::vector<maps::MapArrayStyle> styles;
   std::map<std::string, std::vector<maps::ValueSpread>> spreads;
-  const auto add = [&](const std::vector<pipeline::CaseMap>& maps,
-                       const maps::WornGarment& worn) {
+  const auto add = [&](const std::vector<pipeline::CaseMap>& maps, const maps::WornGarment& worn) {
     for (const pipeline::CaseMap& entry : maps) {
       std::vector<maps::ValueSpread>& own = spreads[entry.map.array];
       if (own.empty()) styles.push_back(entry.map);
@@ -22,8 +21,7 @@ std::vector<maps::MapArrayStyle> fitted_styles(const pipeline::CaseResult& resul
     }
   };
   add(result.studied().maps.maps, result.studied().maps.worn);
-  for (const pipeline::CaseState& state : result.wear.states)
-    add(state.maps.maps, state.maps.worn);
+  for (const pipeline::CaseState& state : result.wear.states) add(state.maps.maps, state.maps.worn);
   for (maps::MapArrayStyle& style : styles) maps::fit_range(style, spreads[style.array]);
   return styles;
 }
@@ -33,9 +31,8 @@ std::vector<maps::PerformanceMap> fitted_maps(const pipeline::CaseResult& result
   std::vector<maps::PerformanceMap> maps;
   for (const pipeline::CaseMap& entry : result.studied().maps.maps) {
     maps.push_back(entry.map);
-    const auto style = std::find_if(styles.begin(), styles.end(), [&](const auto& s) {
-      return s.array == entry.map.array;
-    });
+    const auto style = std::find_if(styles.begin(), styles.end(),
+                                    [&](const auto& s) { return s.array == entry.map.array; });
     maps.back().range_low = style->range_low;
     maps.back().range_high = style->range_high;
   }

@@ -99,7 +99,8 @@ const std::vector<GlossaryTerm>& glossary() {
        "in the posture in which it turns most, about its own three axes, right-handed: across it, "
        "along its axis, and about the outward normal of the cloth [deg]."},
       {"mark", "Mark",
-       "Number of the row, beside the place on the garment and on its pattern. Sites that cannot be "
+       "Number of the row, beside the place on the garment and on its pattern. Sites that cannot "
+       "be "
        "told apart share a rank; each has a mark of its own."},
       {"rank", "Rank",
        "By robust score. Sites share a rank (2=) when either order comes up in more than a fifth "

@@ -94,12 +94,12 @@ std::string Table::html() const {
   for (std::size_t i = 0; i < head_.size(); ++i) {
     const auto term = terms_.find(i);
     const auto quantity = quantities_.find(i);
-    head += "<th scope=\"col\"" +
-            (quantity == quantities_.end()
-                 ? std::string()
-                 : " data-quantity=\"" + escaped(quantity->second) + "\"") +
-            (sentences_.count(i) ? " class=\"words\">" : ">") +
-            (term == terms_.end() ? escaped(head_[i]) : defined(head_[i], term->second)) + "</th>";
+    head +=
+        "<th scope=\"col\"" +
+        (quantity == quantities_.end() ? std::string()
+                                       : " data-quantity=\"" + escaped(quantity->second) + "\"") +
+        (sentences_.count(i) ? " class=\"words\">" : ">") +
+        (term == terms_.end() ? escaped(head_[i]) : defined(head_[i], term->second)) + "</th>";
   }
   for (const Row& row : rows_) {
     body += "<tr" +
@@ -108,7 +108,7 @@ std::string Table::html() const {
                  : " data-" + row.data.first + "=\"" + escaped(row.data.second) + "\"") +
             ">";
     for (std::size_t i = 0; i < row.cells.size(); ++i)
-      body += (i == 0                  ? "<th scope=\"row\">"
+      body += (i == 0                ? "<th scope=\"row\">"
                : sentences_.count(i) ? "<td class=\"words\">"
                                      : "<td>") +
               escaped(row.cells[i]) + (i == 0 ? "</th>" : "</td>");

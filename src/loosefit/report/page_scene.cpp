@@ -244,16 +244,15 @@ void add_state(const pipeline::CaseResult& result, const CaseForms& forms,
       state ? state->maps.pressure : result.studied().maps.pressure.field;
   const std::vector<Vec3>& positions =
       state ? state->drape().positions : result.studied().drape.positions;
-  list.states.push_back(
-      {{"name", posture_name(result, id)},
-       {"posture", id.posture},
-       {"donning", id.donning},
-       {"holds", state ? state->counts() : certificate.holds()},
-       {"body", at->second},
-       {"positions", Json::parse(arrays.add_points(positions))},
-       {"touching", touching_json(pressure, arrays)},
-       {"maps", values_json(shown_maps(result, state), arrays)},
-       {"slip", state ? arrows_json(result, *state, arrays) : Json(nullptr)}});
+  list.states.push_back({{"name", posture_name(result, id)},
+                         {"posture", id.posture},
+                         {"donning", id.donning},
+                         {"holds", state ? state->counts() : certificate.holds()},
+                         {"body", at->second},
+                         {"positions", Json::parse(arrays.add_points(positions))},
+                         {"touching", touching_json(pressure, arrays)},
+                         {"maps", values_json(shown_maps(result, state), arrays)},
+                         {"slip", state ? arrows_json(result, *state, arrays) : Json(nullptr)}});
 }
 
 /// `fitted`: the same array with the range that the colours have at first.

@@ -55,11 +55,13 @@ std::string viewer_section(const pipeline::CaseResult& result) {
     const pipeline::Answer& answer = result.answers.front();
     for (const placement::Site& site : result.sites)
       if (site.name == answer.site)
-        look = std::string(" data-view=\"") + (site.body_point.y() > site_middle(result) ? "back" : "front") + "\"";
+        look = std::string(" data-view=\"") +
+               (site.body_point.y() > site_middle(result) ? "back" : "front") + "\"";
     if (pipeline::find_map(result.studied().maps.maps, answer.metric))
       look += " data-map=\"" + answer.metric + "\"";
   }
-  return "<section id=\"viewer\"" + look + " aria-label=\"The garment and its flat pattern, to be looked at "
+  return "<section id=\"viewer\"" + look +
+         " aria-label=\"The garment and its flat pattern, to be looked at "
          "from "
          "all sides\"></section>\n";
 }

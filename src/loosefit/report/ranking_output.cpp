@@ -88,8 +88,7 @@ std::vector<std::string> text_row(const placement::RankingTable& table,
   const placement::SiteScore& score = site.score;
   const bool many = ranking.samples > 1;
   if (!score.rated()) {
-    std::vector<std::string> row = {"-", printable(site.name),
-                                    place_text(table.places[site.index]),
+    std::vector<std::string> row = {"-", printable(site.name), place_text(table.places[site.index]),
                                     fmt::format("<= {:.2f}", score.bound)};
     if (many) row.insert(row.end(), {"", "", "", ""});
     row.push_back(terminal_line(score.reason));

@@ -43,9 +43,8 @@ std::string mostly_at(const pipeline::CaseResult& result, const std::vector<int>
   for (int t : triangles)
     ++of_region[result.studied().maps.worn.regions[result.studied().mesh().triangles[t][0]]];
   if (of_region.empty()) return {};
-  const auto most = std::max_element(of_region.begin(), of_region.end(), [](auto& a, auto& b) {
-    return a.second < b.second;
-  });
+  const auto most = std::max_element(of_region.begin(), of_region.end(),
+                                     [](auto& a, auto& b) { return a.second < b.second; });
   return ", most at " + spaced(body::name(most->first));
 }
 
@@ -83,8 +82,7 @@ std::string warning_section(const pipeline::CaseResult& result) {
   std::string list;
   for (const std::string& warning : result.warnings) list += element("li", escaped(warning));
   const std::size_t count = result.warnings.size();
-  return "<details class=\"box warn\"" +
-         std::string(result.certificate().holds() ? "" : " open") +
+  return "<details class=\"box warn\"" + std::string(result.certificate().holds() ? "" : " open") +
          "><summary><strong>Worth knowing</strong> (" + std::to_string(count) +
          (count == 1 ? " warning" : " warnings") + ")</summary>" + element("ul", list) +
          "</details>\n";

@@ -122,10 +122,11 @@ std::string map_section(const pipeline::CaseResult& result) {
         "greatest principal strain of woven cloth is mostly shear at 45° to the yarns, about "
         "tan(φ/2) of the shear angle φ, and no elongation that such a lead feels.");
   return html +
-         element("p",
-                 "Maps are smoothed: every point has the mean of the triangles round it. What single "
-                 "triangles reach stands under \u201cDoes it hang?\u201d. All statistics of maps are "
-                 "weighted by flat cloth area. Left and right are the wearer's.");
+         element(
+             "p",
+             "Maps are smoothed: every point has the mean of the triangles round it. What single "
+             "triangles reach stands under \u201cDoes it hang?\u201d. All statistics of maps are "
+             "weighted by flat cloth area. Left and right are the wearer's.");
 }
 
 std::string site_section(const pipeline::CaseResult& result) {

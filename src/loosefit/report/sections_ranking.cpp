@@ -74,8 +74,8 @@ std::string ranking_section(const placement::RankingTable* table) {
     const placement::SiteScore& score = site.score;
     const placement::RankedPlace& at = table->places[site.index];
     const std::string number = std::to_string(++mark);
-    const std::string place = spaced(at.panel) + ", " + fixed(1e3 * at.at.x(), 0) + ", " +
-                              fixed(1e3 * at.at.y(), 0);
+    const std::string place =
+        spaced(at.panel) + ", " + fixed(1e3 * at.at.x(), 0) + ", " + fixed(1e3 * at.at.y(), 0);
     if (!score.rated()) {
       rows.add({site.name, number, "–", "≤ " + fixed(score.bound, 2), "–", "–", "–", "–", place,
                 score.reason},
@@ -92,8 +92,8 @@ std::string ranking_section(const placement::RankingTable* table) {
                                score.reason;
     rows.add({site.name, number, rank == "-" ? "–" : rank, fixed(score.robust, 2),
               interval_text(site.robust_interval, 2), fixed(score.median, 2),
-              fixed(100 * score.passing, 0) + " %", interval_text(site.rank_interval, 0),
-              place, many ? reason + " (" + table->sample_names[worst] + ")" : reason},
+              fixed(100 * score.passing, 0) + " %", interval_text(site.rank_interval, 0), place,
+              many ? reason + " (" + table->sample_names[worst] + ")" : reason},
              {"place", site.name});
   }
   std::string html = element("h2", "Where to put it: " + escaped(table->scorecard.title));

@@ -202,7 +202,8 @@ std::vector<Vec2> marked_points(const placement::RankedPlace& place, const patte
     for (int i = 0; i <= kPieces; ++i)
       points.push_back(centre + static_cast<double>(i) / kPieces * (to - centre));
   };
-  for (const pipeline::EdgeDistance& d : pipeline::edge_distances(panel, place.at)) line_to(sheet.at(d.foot));
+  for (const pipeline::EdgeDistance& d : pipeline::edge_distances(panel, place.at))
+    line_to(sheet.at(d.foot));
   const Vec2 along = 1e-3 * (reach(place.shape) + kArrow) * placement::axis_in_pattern(place.angle);
   line_to(sheet.at(place.at + along));
   line_to(sheet.at(place.at - along));

@@ -30,8 +30,8 @@ std::vector<double> unit_metrics(const StudyData& data, const std::vector<double
 /// Per level of looseness, and last over all of them where there are several: a row for each site
 /// and each metric of the scorecard, in their order; metrics that no site has are left out. A
 /// case's value is its mean over donnings; derived metrics (placement/derived_metrics.h) that the
-/// samples lack come from such means. Percentiles are those of scores (base/quantile.h). Intervals draw all people, the
-/// same ones for all rows; NaN with fewer than two who have a value.
+/// samples lack come from such means. Percentiles are those of scores (base/quantile.h). Intervals
+/// draw all people, the same ones for all rows; NaN with fewer than two who have a value.
 std::vector<std::vector<MetricPercentiles>> metric_percentiles(
     const StudyData& data, const std::vector<SiteTable>& sites, const placement::Scorecard& card,
     const BootstrapOptions& options = {});

@@ -32,11 +32,11 @@ inline MapDefinition orientation_map() {
       "are not defined where the segment's axis lies within 15° of the normal, as on top of the "
       "shoulders, nor where the joints are not known.";
   sagittal.formula = "τ · s, τ the rotation vector from n_b to n_g, |τ| = AD";
-  sagittal.metrics = {{"tilt_sagittal_deg", "tilt about the axis across the segment",
-                       OverFootprint::rigid, OverStates::reference},
-                      {"tilt_across_deg", "tilt about the sensor's axis across it",
-                       OverFootprint::rigid, OverStates::reference,
-                       [](const Orientation& o) { return o.tilt_across(); }}};
+  sagittal.metrics = {
+      {"tilt_sagittal_deg", "tilt about the axis across the segment", OverFootprint::rigid,
+       OverStates::reference},
+      {"tilt_across_deg", "tilt about the sensor's axis across it", OverFootprint::rigid,
+       OverStates::reference, [](const Orientation& o) { return o.tilt_across(); }}};
   MapArray lateral =
       array("tilt_lateral_deg", "Tilt about the segment's long axis", "orientation-tilt-lateral",
             [](const Orientation& o) { return o.tilt_lateral; });
