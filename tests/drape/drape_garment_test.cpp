@@ -251,10 +251,9 @@ void expect_undisturbed(const Drape& d, const WornCloth& worn) {
 
 TEST(DrapeGarment, IsPutOnOnceMoreFromAShiftedStartWhereFewTrianglesCut) {
   Restarted first, again, many;
-  const int few = first.options.tuning.certify.smoothed_triangles;
+  const int few = first.options.tuning.certify.few_triangles;
   const Drape d = first.drape(few);
   EXPECT_TRUE(d.report.was_tried(RecoveryKind::another_start));
-  EXPECT_FALSE(d.report.was_tried(RecoveryKind::lift_off));
   EXPECT_EQ(std::count_if(d.report.parts.begin(), d.report.parts.end(),
                           [](const PartWork& p) { return p.part == "dress"; }),
             2);
@@ -297,41 +296,6 @@ TEST(DrapeGarment, IsNotPutOnAgainWhereLessThanTheFirstStartTookIsLeft) {
   Restarted scarce;
   scarce.options.max_iterations = 2 * undisturbed().report.total().iterations - 20;
   EXPECT_FALSE(scarce.drape(3).report.was_tried(RecoveryKind::another_start));
-}
-
-TEST(DrapeGarment, LiftsTheClothOffTheSkinAndSettlesItAnewWhereItDidNotSettle) {
-  struct Listener : Progress {
-    void update(double, const std::string& note) override { notes.insert(note); }
-    std::set<std::string> notes;
-  } progress;
-  const DrapeOptions options;
-  const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
-  const FailsAtFirst failing(RecoveryKind::lift_off);
-  ClothState state(layers, options, failing.table(), progress);
-  std::shared_ptr<const WornCloth> worn;
-  const Drape d = dress_and_settle(state, wearer().path(25, 25), {}, worn);
-  EXPECT_EQ(d.report.parts.back().part, "retry");
-  EXPECT_TRUE(d.report.was_tried(RecoveryKind::lift_off));
-  EXPECT_TRUE(progress.notes.count("not at rest; trying once more from farther off the skin"));
-  EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
-  EXPECT_FALSE(d.unsettled.has_value());
-  EXPECT_EQ(wearer().cuts_body(d.positions, 25), 0);
-  EXPECT_NE(d.positions, standing_drape().positions) << "it went another way";
-  EXPECT_EQ(state.body->field->spacing(), contact::kFieldSpacing) << "nothing was cut";
-}
-
-TEST(DrapeGarment, TriesAgainWithAFieldThatResolvesFoldsOfSkinWhereTheClothCutsTheSkin) {
-  Progress silent;
-  const DrapeOptions options;
-  const std::vector<ClothLayer> layers{{&wearer().garment, wearer().material}};
-  const FailsAtFirst failing(RecoveryKind::lift_off, 1);
-  ClothState state(layers, options, failing.table(), silent);
-  std::shared_ptr<const WornCloth> worn;
-  const Drape d = dress_and_settle(state, wearer().path(25, 25), {}, worn);
-  EXPECT_TRUE(d.report.was_tried(RecoveryKind::lift_off));
-  EXPECT_EQ(state.body->field->spacing(), options.tuning.certify.fold_field_spacing);
-  EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
-  EXPECT_EQ(wearer().cuts_body(d.positions, 25), 0);
 }
 
 TEST(DrapeGarment, DoesNotTryAgainWhatIsAtRestByItsOwnLooserTolerance) {

@@ -18,7 +18,7 @@ TEST(Recoveries, EachHasANameAFailureAndAReasonOfItsOwn) {
       EXPECT_TRUE(!text.empty() && texts.insert(text).second) << text;
     EXPECT_GT(row.most_attempts(SettlingTuning{}), 0) << row.name;
   }
-  EXPECT_EQ(kinds.size(), 11u);
+  EXPECT_EQ(kinds.size(), 9u);
 }
 
 /// A state that no phase has touched, with two rows of one point.

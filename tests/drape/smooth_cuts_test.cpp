@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "loosefit/geometry/exact_intersection.h"
-#include "loosefit/geometry/folded_edges.h"
 
 namespace loosefit::drape {
 namespace {
@@ -45,30 +44,12 @@ TEST(SmoothCuts, ALoopThatPassesThroughTheSheetComesOut) {
   const std::vector<Vec3> before = sheet.x;
   const geometry::TriangleMesh box = box_below(-0.1);
   const geometry::ClosestPointTree skin(box);
-  const SmoothedCuts smoothed =
-      smooth_cuts(sheet.x, sheet.triangles, skin, 0.002, 40, SmoothedFaults::cuts);
+  const SmoothedCuts smoothed = smooth_cuts(sheet.x, sheet.triangles, skin, 0.002, 40);
   EXPECT_GT(smoothed.first_cuts, 0);
   EXPECT_EQ(smoothed.cuts, 0);
   EXPECT_EQ(smoothed.first_cut.first, -1);
   EXPECT_TRUE(geometry::self_intersections(smoothed.x, sheet.triangles).empty());
   EXPECT_EQ(smoothed.x[Sheet::at(0, 0)], before[Sheet::at(0, 0)]) << "what is far off stays";
-}
-
-TEST(SmoothCuts, FoldsAndCutsOfTheSkinAreFaultsWhereAllAre) {
-  Sheet sheet;
-  // A corner that is folded back on its neighbour, and a vertex that is pressed into the skin.
-  sheet.x[Sheet::at(0, 0)] = Vec3(0.0099, 0.0099, 1e-6);
-  sheet.x[Sheet::at(12, 12)].z() = -0.006;
-  const geometry::TriangleMesh box = box_below(-0.004);
-  const geometry::ClosestPointTree skin(box);
-  ASSERT_FALSE(geometry::mesh_intersections(sheet.x, sheet.triangles, skin).empty());
-  const SmoothedCuts left =
-      smooth_cuts(sheet.x, sheet.triangles, skin, 0.002, 40, SmoothedFaults::cuts);
-  EXPECT_EQ(left.x, sheet.x);
-  const SmoothedCuts smoothed =
-      smooth_cuts(sheet.x, sheet.triangles, skin, 0.002, 40, SmoothedFaults::all);
-  EXPECT_TRUE(geometry::mesh_intersections(smoothed.x, sheet.triangles, skin).empty());
-  EXPECT_TRUE(geometry::folded_edges(smoothed.x, sheet.triangles).empty());
 }
 
 TEST(SmoothCuts, EndsAfterSoManyRoundsWithWhatIsLeft) {
@@ -77,8 +58,7 @@ TEST(SmoothCuts, EndsAfterSoManyRoundsWithWhatIsLeft) {
   sheet.x[Sheet::at(10, 11)] = Vec3(0.135, 0.137, 0.004);
   const geometry::TriangleMesh box = box_below(-0.1);
   const geometry::ClosestPointTree skin(box);
-  const SmoothedCuts smoothed =
-      smooth_cuts(sheet.x, sheet.triangles, skin, 0.002, 0, SmoothedFaults::all);
+  const SmoothedCuts smoothed = smooth_cuts(sheet.x, sheet.triangles, skin, 0.002, 0);
   EXPECT_EQ(smoothed.cuts, smoothed.first_cuts);
   EXPECT_EQ(smoothed.x, sheet.x);
   EXPECT_GE(smoothed.first_cut.first, 0);

@@ -108,7 +108,7 @@ struct ClothState {
   };
   std::optional<Kept> lowest;     ///< that of the lowest residual, penetrations or not
   std::optional<Kept> clear;      ///< that of the lowest residual among those found free of them
-  std::optional<Kept> first_try;  ///< the best before the cloth was lifted off or put on anew
+  std::optional<Kept> first_try;  ///< the best before the cloth was put on anew
   std::optional<Kept> saddle;     ///< the first settled one that was left as a saddle
   bool best_was_taken = false;    ///< `x` is the best of them
   std::set<int> penetrating;      ///< triangles that cut the skin when last looked

@@ -57,7 +57,7 @@ struct SettleSample {
 
 /// What one part of a run took on one level.
 struct PartWork {
-  std::string part;  ///< "dress", "posture", "settle", "retry"
+  std::string part;  ///< "dress", "posture", "settle"
   int level = 0, vertices = 0;
   int start = 0;  ///< putting on that it belongs to: 0 first, 1 second
   solver::SolverWork work;

@@ -6,8 +6,6 @@
 #include "loosefit/drape/phases/follow_posture.h"
 #include "loosefit/drape/phases/free_penetrations.h"
 #include "loosefit/drape/phases/leave_saddle.h"
-#include "loosefit/drape/phases/lift_off.h"
-#include "loosefit/drape/phases/smooth_out.h"
 #include "loosefit/drape/settle_garment.h"
 
 namespace loosefit::drape {
@@ -45,30 +43,10 @@ bool rests_on_saddle(ClothState& state) {
          state.options.integrator == IntegratorKind::quasi_static;
 }
 
-/// Few triangles that cut where the forces balance all the same: folds that closed on themselves,
-/// cloth in a fold of skin. Many are no place to smooth.
-bool cuts_at_rest(ClothState& state) {
-  const Certificate& c = state.certificate;
-  const int cuts = c.intersections_self + c.intersections_body;
-  return cuts > 0 && cuts <= state.tuning.certify.smoothed_triangles && state.is_single() &&
-         !state.best_was_taken && !state.is_over() &&
-         state.last.reason == solver::SettleOutcome::Reason::converged &&
-         state.options.integrator == IntegratorKind::quasi_static;
-}
-
 /// Also of a drape that was asked to be less near to rest: a kept state may be nearer.
 bool may_be_better(ClothState& state) {
   const Certificate& c = state.certificate;
   return !state.best_was_taken && (!c.settled() || c.residual > solver::kRestTolerance);
-}
-
-/// The soft layer frees cloth from the skin, not from other cloth, but a triangle that the skin has
-/// folded back comes free with its neighbours; a posture has no other way.
-bool may_settle_off_the_skin(ClothState& state) {
-  const Certificate& c = state.certificate;
-  return !c.settled() && c.intersections_self == c.folded_edges && state.is_single() &&
-         !state.worn && !state.is_over() &&
-         state.options.integrator == IntegratorKind::quasi_static;
 }
 
 /// Few cuts, or none and no rest: a fold that closed on itself, a pinch that another way does not
@@ -76,7 +54,7 @@ bool may_settle_off_the_skin(ClothState& state) {
 bool may_settle_from_another_start(ClothState& state) {
   const Certificate& c = state.certificate;
   const int cuts = c.intersections_self + c.intersections_body;
-  return !c.settled() && cuts <= state.tuning.certify.smoothed_triangles && !state.worn &&
+  return !c.settled() && cuts <= state.tuning.certify.few_triangles && !state.worn &&
          !state.must_stop() && state.budget.is_half_left() &&
          state.options.integrator == IntegratorKind::quasi_static;
 }
@@ -147,11 +125,6 @@ const Recoveries& recoveries() {
        "along the direction of lowest curvature the energy falls, and beyond it there is a minimum",
        [](const SettlingTuning& tuning) { return tuning.certify.saddle_attempts; }, rests_on_saddle,
        leave_saddle},
-      {Kind::smooth_cuts, Point::certified, "smooth the cloth where it cuts",
-       "the forces balance, but a few triangles cut the cloth or the skin",
-       "a fold that closed on itself opens, cloth comes out of a fold of skin, and settles another "
-       "way",
-       once, cuts_at_rest, smooth_out},
       {Kind::best_state, Point::certified, "best state so far", "the drape is not settled",
        "the way may have led away from a better state: without intersections, or of a lower "
        "residual",
@@ -159,11 +132,7 @@ const Recoveries& recoveries() {
       {Kind::another_start, Point::certified, "putting the garment on once more, shifted a little",
        "the first drape of a garment is not settled, and few triangles cut",
        "folds are not unique: from a start a millimetre beside, others form", once,
-       may_settle_from_another_start, put_on_again},
-      {Kind::lift_off, Point::certified, "not at rest; trying once more from farther off the skin",
-       "the first drape of a garment is not settled, and does not pass through itself",
-       "off the skin, with contacts and friction forgotten, it takes another way to rest", once,
-       may_settle_off_the_skin, lift_off_and_resettle}};
+       may_settle_from_another_start, put_on_again}};
   return kTable;
 }
 

@@ -17,9 +17,7 @@ enum class RecoveryKind {
   renew_field,
   nearer_to_rest,
   leave_saddle,
-  smooth_cuts,
   best_state,
-  lift_off,
   another_start
 };
 

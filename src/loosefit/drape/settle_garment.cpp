@@ -45,8 +45,7 @@ std::shared_ptr<const WornCloth> worn_cloth(ClothState& state) {
   levels.push_back({state.x, state.model->memory()});
   int iterations = 0;
   for (const PartWork& part : state.report.parts)
-    if (part.start == state.start && part.level == state.level &&
-        (part.part == "settle" || part.part == "retry"))
+    if (part.start == state.start && part.level == state.level && part.part == "settle")
       iterations += part.work.iterations;
   return std::make_shared<const WornCloth>(WornCloth{std::move(levels), state.body, iterations});
 }

@@ -163,11 +163,7 @@ Fields certify_fields(CertifyTuning& t) {
       .count("attempts", t.attempts)
       .count("saddle_attempts", t.saddle_attempts)
       .length("saddle_step", t.saddle_step)
-      .count("smoothing_attempts", t.smoothing_attempts)
-      .count("smoothed_triangles", t.smoothed_triangles)
-      .count("smoothing_rounds", t.smoothing_rounds)
-      .length("smoothed_clear", t.smoothed_clear)
-      .length("fold_field_spacing", t.fold_field_spacing)
+      .count("few_triangles", t.few_triangles)
       .length("restart_perturbation", t.restart_perturbation);
 }
 

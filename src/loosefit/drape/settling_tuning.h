@@ -229,16 +229,9 @@ struct CertifyTuning {
   /// two thicknesses of a fabric, so that it comes clear of what held it.
   int saddle_attempts = 3;
   double saddle_step = 1e-3;
-  /// How often cloth is smoothed where it still cuts, how many triangles may do so [–], in how many
-  /// rounds at most, and how far off the skin it is left, times the attempt [m].
-  int smoothing_attempts = 3;
-  int smoothed_triangles = 60;
-  int smoothing_rounds = 40;
-  double smoothed_clear = 2e-3;
-  /// Spacing of the field for a second try, when triangles cut after the first [m]. Folds
-  /// that flesh has not opened are 2 to 4 mm wide. Between the nodes of the usual grid, 5 mm apart,
-  /// the middle of such a fold reads as skin, and cloth rests up to a millimetre beside it.
-  double fold_field_spacing = 0.0028;
+  /// A garment is put on once more where no more triangles than these cut [–]: many tell that there
+  /// is no room.
+  int few_triangles = 60;
   /// Least rms shift of the start when the garment is put on once more [m]: which of many folds
   /// forms hangs on less (docs/accuracy.md 3).
   double restart_perturbation = 1e-3;

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "loosefit/geometry/exact_intersection.h"
-#include "loosefit/geometry/folded_edges.h"
 
 namespace loosefit::drape {
 namespace {
@@ -16,8 +15,7 @@ constexpr double kReach = 0.5;     ///< within which the skin is looked for [m]
 }  // namespace
 
 SmoothedCuts smooth_cuts(std::vector<Vec3> x, const std::vector<Triangle>& triangles,
-                         const geometry::ClosestPointTree& skin, double clear, int rounds,
-                         SmoothedFaults faults) {
+                         const geometry::ClosestPointTree& skin, double clear, int rounds) {
   SmoothedCuts smoothed;
   std::vector<std::set<int>> around(x.size());
   for (const Triangle& t : triangles)
@@ -26,13 +24,8 @@ SmoothedCuts smooth_cuts(std::vector<Vec3> x, const std::vector<Triangle>& trian
       around[t[k]].insert(t[(k + 2) % 3]);
     }
   for (int round = 0; round <= rounds; ++round) {
-    auto cuts = geometry::self_intersections(x, triangles);
+    const auto cuts = geometry::self_intersections(x, triangles);
     std::set<int> moving;
-    if (faults == SmoothedFaults::all) {
-      for (const auto& fold : geometry::folded_edges(x, triangles)) cuts.push_back(fold);
-      for (const auto& [t, of_skin] : geometry::mesh_intersections(x, triangles, skin))
-        moving.insert(triangles[t].begin(), triangles[t].end());
-    }
     for (const auto& [a, b] : cuts)
       for (const int t : {a, b}) moving.insert(triangles[t].begin(), triangles[t].end());
     smoothed.cuts = static_cast<int>(cuts.size());

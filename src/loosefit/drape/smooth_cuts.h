@@ -7,10 +7,6 @@
 
 namespace loosefit::drape {
 
-/// What is smoothed: triangles that cut each other alone, or also those that are folded flat on
-/// each other or cut the skin.
-enum class SmoothedFaults { cuts, all };
-
 /// Cloth after smooth_cuts.
 struct SmoothedCuts {
   std::vector<Vec3> x;                       ///< [m]
@@ -18,11 +14,10 @@ struct SmoothedCuts {
   std::pair<int, int> first_cut = {-1, -1};  ///< one of those that are left
 };
 
-/// Moves the vertices near triangles with such a fault to the middle of their neighbours, in ever
+/// Moves the vertices near triangles that cut each other to the middle of their neighbours, in ever
 /// wider rings, until none does or after so many rounds, and out of the skin by `clear` [m]. Smooth
 /// cloth cuts nothing.
 SmoothedCuts smooth_cuts(std::vector<Vec3> x, const std::vector<Triangle>& triangles,
-                         const geometry::ClosestPointTree& skin, double clear, int rounds,
-                         SmoothedFaults faults);
+                         const geometry::ClosestPointTree& skin, double clear, int rounds);
 
 }  // namespace loosefit::drape

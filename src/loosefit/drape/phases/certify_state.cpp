@@ -103,8 +103,8 @@ void take_best_state(ClothState& state) {
 
 void certify_state(ClothState& state) {
   state.best_was_taken = false;
-  for (RecoveryKind kind : {RecoveryKind::nearer_to_rest, RecoveryKind::leave_saddle,
-                            RecoveryKind::smooth_cuts, RecoveryKind::best_state})
+  for (RecoveryKind kind :
+       {RecoveryKind::nearer_to_rest, RecoveryKind::leave_saddle, RecoveryKind::best_state})
     state.attempts[kind] = 0;
   measure_certificate(state);
   while (state.recover(RecoveryPoint::certified)) {
@@ -126,9 +126,7 @@ Drape make_drape(ClothState& state) {
   report.floor_force = state.model->floor_force(state.x);
   report.contacts_body = 0;
   const contact::DistanceField& field = *state.body->field;
-  // A field that was to resolve folds may be coarser than that, and as fine as usual.
-  const bool coarse = field.is_coarsened() && field.spacing() > contact::kFieldSpacing;
-  report.coarsened_field = coarse ? field.spacing() : 0;
+  report.coarsened_field = field.is_coarsened() ? field.spacing() : 0;
   report.largest_contact_offset = 0;
   drape.body_contact_force.assign(state.x.size(), Vec3::Zero());
   drape.body_normal_force.assign(state.x.size(), 0.0);

@@ -138,8 +138,8 @@ ClosedSeams close_seams(const garment::Garment& sewn, const garment::OpenSeams& 
   for (int v = 0; v < sewn.vertex_count; ++v)
     if (const double depth = -body.tree().signed_distance(closed.x[v]); depth > deepest)
       deepest = depth, closed.in_limb = v;
-  SmoothedCuts smoothed = smooth_cuts(std::move(closed.x), sewn.triangles, body.tree(), kPad / 2,
-                                      kSmoothings, SmoothedFaults::cuts);
+  SmoothedCuts smoothed =
+      smooth_cuts(std::move(closed.x), sewn.triangles, body.tree(), kPad / 2, kSmoothings);
   closed.x = std::move(smoothed.x);
   closed.first_cuts = smoothed.first_cuts, closed.cuts = smoothed.cuts;
   closed.first_cut = smoothed.first_cut;
