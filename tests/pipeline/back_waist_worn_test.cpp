@@ -14,7 +14,8 @@ double gap_behind_waist(const char* back_waist) {
       std::string("[body]\nsex = \"female\"\nage = 30\nheight = 1.68\n"
                   "measurements = { chest = 0.88, waist = 0.72, hip = 0.97 }\n[garment]\n"
                   "pattern = \"long-sleeve-shirt\"\n"
-                  "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, bust_dart = 0.5, "
+                  "fit = { chest = 0.10, hip = 0.08, sleeve = 0.25, wrist = 0.25, sleeve_follow = "
+                  "0, bust_dart = 0.5, "
                   "back_waist = ") +
       back_waist +
       " }\n[material]\nname = \"paper-cotton\"\n[simulation]\nedge_length = "

@@ -201,7 +201,7 @@ def kills(study, content, count, draws):
 def full_disk(study, content, cases):
     """In a file system of memory of our own, without leave of anybody."""
     study.folder.mkdir()
-    mount = f"mount -t tmpfs -o size=240k loosefit-test {study.folder}"
+    mount = f"mount -t tmpfs -o size=180k loosefit-test {study.folder}"
     try:
         subprocess.run(["unshare", "-rm", *mount.split()], check=True, capture_output=True, text=True)
     except (OSError, subprocess.CalledProcessError) as error:

@@ -86,7 +86,7 @@ void read_bending_lengths(ConfigReader& table, scenario::MaterialCard& card,
   for (const auto& [key, constant, value] :
        {std::tuple{"bending_length_warp", "bending_warp", &fabric::Material::bending_warp},
         std::tuple{"bending_length_weft", "bending_weft", &fabric::Material::bending_weft}}) {
-    const auto c = table.optional_number(key, {0.002, 0.1, "metres"},
+    const auto c = table.optional_number(key, {0.004, 0.06, "metres"},
                                          "half the overhang of a cantilever at 41.5 degrees");
     table.clash(key, constant);
     if (!c) continue;
