@@ -5,6 +5,7 @@
 #include "loosefit/io/garmentcode_write.h"
 #include "loosefit/io/scenario.h"
 #include "loosefit/io/text_file.h"
+#include "loosefit/kinds/girths_along.h"
 #include "loosefit/kinds/shirt/shirt_draft.h"
 #include "loosefit/pipeline/case_body.h"
 #include "loosefit/pipeline/case_pattern.h"
@@ -39,10 +40,12 @@ class PatternCommand : public testing::Test {
 };
 
 TEST_F(PatternCommand, HasTheDefaultsOfAScenario) {
-  const body::Body body = pipeline::make_body(io::default_scenario().body).body;
+  const pipeline::CaseBody body = pipeline::make_body(io::default_scenario().body);
   const auto of_run = [&](const std::string& garment) {
     const scenario::Scenario scenario = io::parse_scenario("[garment]\n" + garment, "case.toml");
-    return io::garmentcode_text(pipeline::make_pattern(scenario.studied().spec, body).pattern);
+    return io::garmentcode_text(pipeline::make_pattern(scenario.studied().spec, body.body,
+                                                       kinds::girths_along(body.path(0).body()))
+                                    .pattern);
   };
   EXPECT_EQ(written(""), of_run(""));
   EXPECT_EQ(written("--pattern t-shirt"), of_run("pattern = \"t-shirt\""));
@@ -84,9 +87,16 @@ TEST_F(PatternCommand, DraftsForTheBodyOfAFileAsForThatOfAScenario) {
                                       (base / "him").string());
   ASSERT_EQ(made.exit_code, 0) << made.output;
   const std::string scenario =
-      file("case.toml", "[body]\nsex = \"male\"\nage = 40\nheight = 1.8\n");
-  EXPECT_EQ(written("--body " + (base / "him/body.json").string()),
-            written("--scenario " + scenario));
+      file("case.toml",
+           "[body]\nsex = \"male\"\nage = 40\nheight = 1.8\n"
+           "[garment]\nfit = { sleeve_follow = 0 }\n");  // a table has no girths along
+  // A table of a body has no girths along the arm: sleeves differ, the trunk does not.
+  const auto trunk = [](const std::string& pattern) {
+    return pattern.substr(0, pattern.find("sleeve"));
+  };
+  const std::string of_table = written("--body " + (base / "him/body.json").string());
+  EXPECT_GT(trunk(of_table).size(), 1000u);
+  EXPECT_EQ(trunk(of_table), trunk(written("--scenario " + scenario)));
 }
 
 TEST_F(PatternCommand, RefusesAMeasureThatWasGivenAndAdaptsOneThatWasNot) {

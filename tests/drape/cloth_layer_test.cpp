@@ -93,6 +93,10 @@ TEST(LayeredShirts, SettleOverEachOtherAndFollowTheBody) {
     nearest = std::min(nearest, d);
     touching += d < mean;
   }
+  // Of coarse triangles vertices of either shirt meet faces of the other.
+  const geometry::TriangleMesh outer_surface{outer.positions, g1.triangles};
+  const geometry::ClosestPointTree outside(outer_surface);
+  for (const Vec3& p : inner.positions) touching += (outside.query(p).point - p).norm() < mean;
   EXPECT_GT(nearest, 0.2 * mean);
   EXPECT_GE(touching, 3) << "the outer shirt hangs on the inner one";
 

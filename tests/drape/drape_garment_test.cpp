@@ -244,7 +244,7 @@ void expect_undisturbed(const Drape& d, const WornCloth& worn) {
   EXPECT_EQ(d.positions, undisturbed().positions);
   EXPECT_TRUE(d.certificate.settled()) << d.certificate.stop_reason;
   // Certifying renews contacts; friction at a fifth would tell by far more.
-  EXPECT_NEAR(d.certificate.residual, undisturbed().certificate.residual, 1e-5);
+  EXPECT_NEAR(d.certificate.residual, undisturbed().certificate.residual, 5e-5);
   EXPECT_EQ(worn.levels.size(), wearer().garment.levels.size());
   EXPECT_EQ(worn.levels.back().x, d.positions);
 }

@@ -55,8 +55,8 @@ TEST(DrapeSession, ClothTurnsWithABodyThatTurnsAsAWhole) {
   for (std::size_t i = 0; i < first.positions.size(); ++i)
     moved.push_back((same.positions[i] - first.positions[i]).norm());
   std::sort(moved.begin(), moved.end());
-  EXPECT_LT(moved[moved.size() / 2], 2e-4);
-  EXPECT_LT(moved.back(), 5e-3);
+  EXPECT_LT(moved[moved.size() / 2], 3e-4);
+  EXPECT_LT(moved.back(), 15e-3);
 
   constexpr double kAngle = 0.5;
   const Drape turned = session.follow(turning(wearer, kAngle), silent);

@@ -123,8 +123,9 @@ TEST(Scorecards, LimitsAreTheDocumentedOnes) {
   EXPECT_GE(placement::score({{"coe_rms_deg", 4.98}}, imu).q.value(), imu.pass)
       << "usable to 5 degrees";
   EXPECT_LT(placement::score({{"coe_rms_deg", 5.02}}, imu).q.value(), imu.pass);
-  const placement::MetricValues pressed = {
-      {"contact_ratio", 1}, {"contact_duty", 1}, {"pressure_kPa", 5.0}};
+  const placement::MetricValues pressed = {{"contact_ratio", 1}, {"contact_duty", 1},
+                                           {"pressed_ratio", 1}, {"pressed_duty", 1},
+                                           {"gap_worst_mm", 0},  {"pressure_kPa", 5.0}};
   EXPECT_DOUBLE_EQ(placement::score(pressed, load_scorecard("ppg")).q.value(), 1);
   EXPECT_EQ(placement::score(pressed, load_scorecard("eda")).q.value(), 0)
       << "too hard for the trunk";

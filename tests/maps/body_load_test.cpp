@@ -45,6 +45,7 @@ struct Scene {
       partner.exact = body.tree().query(p);
       partner.normal = body->normals[body->surface.triangles[partner.exact.triangle][0]];
       worn.partners.push_back(partner);
+      worn.distances.push_back(partner.exact.distance);
     }
   }
   BodyLoad load() const { return body_load(garment, drape, worn, body, material, 10); }

@@ -182,5 +182,20 @@ TEST(FootprintShapes, AreaAndCircle) {
   EXPECT_DOUBLE_EQ(area(shape) + outer_radius(shape), 0);
 }
 
+TEST(Outlook, IsOpenWhereTheIntervalHoldsThePassMark) {
+  Criterion at_most{"gap_mm", {2, 10}, {}, "", "", ""};  // good at 2, fails at 10
+  at_most.limit.good = 2, at_most.limit.fail = 10;
+  EXPECT_EQ(outlook(at_most, 0.5, 1, 5), Outlook::passes);
+  EXPECT_EQ(outlook(at_most, 0.5, 5, 7), Outlook::open);
+  EXPECT_EQ(outlook(at_most, 0.5, 7, 30), Outlook::fails);
+  Criterion between = at_most;  // from 1.5 on, and not above 6
+  between.limit.good = 2, between.limit.fail = 1;
+  between.upper = at_most.limit;
+  EXPECT_EQ(outlook(between, 0.5, 2, 5), Outlook::passes);
+  EXPECT_EQ(outlook(between, 0.5, 0, 1), Outlook::fails);
+  EXPECT_EQ(outlook(between, 0.5, 7, 9), Outlook::fails);
+  EXPECT_EQ(outlook(between, 0.5, 1, 9), Outlook::open) << "both ends fail, the middle passes";
+}
+
 }  // namespace
 }  // namespace loosefit::placement

@@ -113,7 +113,7 @@ TEST_F(OnTheWall, TwoPosturesOfTwoDonningsGiveAllOfTheVocabularyThatIsNotDerived
     add(k % 2, k / 2, plain(0.01 * (k + 1)), wall_, [](int) { return 1; });
   const Metrics m = metrics();
   for (const auto& [name, value] : m) EXPECT_NE(find_metric(name), nullptr) << name;
-  EXPECT_EQ(m.size(), 27u);
+  EXPECT_EQ(m.size(), 29u);
 }
 
 // The wearer moves; the sensor turns with the body but for a known angle.

@@ -90,7 +90,7 @@ TEST(RankingCsv, QuotesAndKeepsOneShape) {
   EXPECT_EQ(rows[0].substr(rows[0].rfind("tolerance_around_mm")),
             "tolerance_around_mm,contact_ratio,gap_mm,sensor_diameter_mm");
   EXPECT_EQ(rows[3].substr(0, 34), "3,\"low, \"\"left\"\"\",0.2,0.25,0,0.2,0");
-  EXPECT_NE(rows[3].find(",first,chest,front,0.1,0.2,90,1,2,3,30,,forearm,left,50,100,70,,disc of "
+  EXPECT_NE(rows[3].find(",first,chest,front,0.1,0.2,90,1,2,3,30,,forearm,left,50,100,70,disc of "
                          "24 mm,,,0.25,3,24"),
             std::string::npos)
       << rows[3];

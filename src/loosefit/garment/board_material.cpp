@@ -13,8 +13,9 @@ constexpr double kUsualBending = 1e-3, kUsualFactor = 10;
 }  // namespace
 
 const std::vector<BoardMaterial>& board_materials() {
-  static const std::vector<BoardMaterial> all = {
-      {"fr4", 22e9, 0.14}, {"polyimide", 2.5e9, 0.34}, {"silicone", 2e6, 0.48}};
+  static const std::vector<BoardMaterial> all = {{"fr4", 22e9, 0.14, 1.6e-3},
+                                                 {"polyimide", 2.5e9, 0.34, 0.11e-3},
+                                                 {"silicone", 2e6, 0.48, 2e-3}};
   return all;
 }
 

@@ -16,6 +16,7 @@ struct BoardMaterial {
   std::string name;
   double modulus = 0;  ///< E [Pa]
   double poisson = 0;  ///< ν [–]
+  double usual = 0;    ///< thickness where none is given [m]
 };
 const std::vector<BoardMaterial>& board_materials();
 /// nullptr if there is none of that name.

@@ -98,9 +98,9 @@ void read_board_make(ConfigReader& table, garment::BoardMake& board) {
   for (const garment::BoardMaterial& m : garment::board_materials()) materials.push_back(m.name);
   board.material =
       table.choice("material", "", materials,
-                   "of a flexible board, with its thickness; without it a board is rigid");
-  if (!board.material.empty() && !(board.thickness > 0))
-    throw table.error("thickness", "the thickness of the " + board.material + " in metres");
+                   "of a flexible board; without it a board is rigid");
+  if (!board.material.empty() && board.thickness == 0)
+    board.thickness = garment::find_board_material(board.material)->usual;
   board.bending = table.optional_number(
       "bending", {0, 10, "N m"}, "measured sheet rigidity: the board is flexible, not rigid");
   board.membrane_factor = table.optional_number(

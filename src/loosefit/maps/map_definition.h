@@ -31,6 +31,7 @@ struct ClothOverSkin {
   double distance;                   ///< of the smooth cloth to the partner [m]
   const Vec3& normal;                ///< of the cloth, unit
   const fabric::Material* material;  ///< null only where MapDefinition::needs_material is false
+  double padding = 0;                ///< of boards on the inside there [m]
 };
 
 // How a quantity is read off the worn cloth, in SI units. The same function gives the value at a

@@ -1,5 +1,7 @@
 #include "loosefit/maps/vertex_reader.h"
 
+#include <algorithm>
+
 #include "loosefit/base/error.h"
 
 namespace loosefit::maps {
@@ -32,10 +34,17 @@ std::vector<double> VertexReader::of(ReadCloth read) {
 
 std::vector<double> VertexReader::of(ReadOverSkin read) const {
   const WornGarment& worn = input_.worn;
+  const garment::Garment& garment = input_.garment;
+  std::vector<double> padding;
+  if (!garment.triangle_padding.empty()) padding.resize(garment.vertex_count);
+  for (std::size_t t = 0; t < garment.triangle_padding.size(); ++t)
+    for (int v : garment.triangles[t])
+      padding[v] = std::max(padding[v], garment.triangle_padding[t]);
   std::vector<double> values;
   values.reserve(worn.partners.size());
   for (std::size_t v = 0; v < worn.partners.size(); ++v)
-    values.push_back(read({worn.partners[v], worn.distances[v], worn.normals[v], input_.material}));
+    values.push_back(read({worn.partners[v], worn.distances[v], worn.normals[v], input_.material,
+                           padding.empty() ? 0.0 : padding[v]}));
   return values;
 }
 

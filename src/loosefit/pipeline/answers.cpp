@@ -151,8 +151,7 @@ std::optional<double> mesh_error_of(const std::string& metric, double value, dou
   return {};
 }
 
-/// Whether the interval that is expected holds the pass mark, so that a verdict may be chance.
-bool add_expectation(const placement::RankingTable& table, int index, double edge_length,
+void add_expectation(const placement::RankingTable& table, int index, double edge_length,
                      Answer& answer) {
   for (const placement::Criterion& criterion : table.scorecard.criteria) {
     const std::vector<double> values = values_of(table, index, criterion.metric);
@@ -172,31 +171,51 @@ bool add_expectation(const placement::RankingTable& table, int index, double edg
         interval ? interval_words(low, answer.high + error) + ": " : "",
         of_samples(static_cast<int>(values.size()), answer.people),
         answer.mesh_error ? "with the error of the mesh" : "error of the mesh not known");
-    const auto inside = [&](double at) {
-      return at > answer.low - error && at < answer.high + error;
-    };
-    return inside(mark(criterion.limit, table.scorecard.pass)) ||
-           (criterion.upper && inside(mark(*criterion.upper, table.scorecard.pass)));
+    return;
   }
-  return false;
 }
 
-/// What would tell whether a place passes: a finer mesh, where that is the larger part of the
-/// interval, or more donnings.
-std::string deciding_words(const CaseResult& result, const Answer& answer) {
+/// The criterion whose interval holds the pass mark, of a place that none fails for certain: the
+/// verdict may then be chance. Null: there is none.
+const placement::Criterion* open_criterion(const placement::RankingTable& table, int index,
+                                           double edge_length) {
+  const placement::Criterion* open = nullptr;
+  for (const placement::Criterion& criterion : table.scorecard.criteria) {
+    const std::vector<double> values = values_of(table, index, criterion.metric);
+    if (values.empty()) continue;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const double error = mesh_error_of(criterion.metric, median(values), edge_length).value_or(0);
+    switch (placement::outlook(criterion, table.scorecard.pass, *least - error, *most + error)) {
+      case placement::Outlook::fails:
+        return nullptr;
+      case placement::Outlook::open:
+        if (!open) open = &criterion;
+        break;
+      case placement::Outlook::passes:
+        break;
+    }
+  }
+  return open;
+}
+
+/// What would tell whether a place passes: a finer mesh whose interval no longer holds the mark, or
+/// a place with more room.
+std::string deciding_words(const CaseResult& result, const placement::RankingTable& table,
+                           int index, const placement::Criterion& open) {
   constexpr double kFinest = 0.005, kPower = 2.5;  // of time over vertices, study/plan.cpp
   const double edge = result.scenario.simulation.edge_length;
   const double finer = std::max(kFinest, edge / 2);
-  if (answer.mesh_error.value_or(0) > 0.5 * (answer.high - answer.low) && finer < 0.9 * edge) {
+  const std::vector<double> values = values_of(table, index, open.metric);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double error = mesh_error_of(open.metric, median(values), finer).value_or(0);
+  if (finer < 0.9 * edge && placement::outlook(open, table.scorecard.pass, *least - error,
+                                               *most + error) != placement::Outlook::open) {
     double seconds = 0;
     for (const StageClock::Entry& entry : result.seconds) seconds += entry.seconds;
-    return fmt::format(
-        "Edges of {:.2g} mm would tell (some {:.0f} minutes), and so would a wider "
-        "margin.",
-        1e3 * finer, std::max(1.0, seconds * std::pow(edge / finer, kPower) / 60));
+    return fmt::format("Edges of {:.2g} mm would tell, in some {:.0f} minutes.", 1e3 * finer,
+                       std::max(1.0, seconds * std::pow(edge / finer, kPower) / 60));
   }
-  return fmt::format("More donnings ({} or more) or a wider margin would tell.",
-                     std::max(4, 2 * answer.samples));
+  return "A place, fit or cloth with more room to the pass mark would tell.";
 }
 
 /// What the limiting criterion would have to be, of a place that does not pass.
@@ -241,10 +260,11 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
   // Scores of a part of the criteria are upper bounds: they can fail a place, not pass it.
   const bool whole = table.scorecard.left_out.empty();
   const bool so_far = score.rated() && score.robust >= table.scorecard.pass;
-  const bool straddles =
-      add_expectation(table, site.index, result.scenario.simulation.edge_length, answer) &&
-      score.rated();
-  if (score.rated() && !straddles && (whole || !so_far)) answer.passes = so_far;
+  const double edge = result.scenario.simulation.edge_length;
+  add_expectation(table, site.index, edge, answer);
+  const placement::Criterion* open =
+      score.rated() ? open_criterion(table, site.index, edge) : nullptr;
+  if (score.rated() && !open && (whole || !so_far)) answer.passes = so_far;
   const std::string where =
       place_on_body(result.body.body.body(), region_named(place.region), place.anatomy) + " (" +
       place_on_panel(result.studied().pattern.pattern, place.panel, place.at) + ")";
@@ -271,9 +291,10 @@ Answer answer_at(const CaseResult& result, const placement::RankingTable& table,
     answer.verdict = "Undecided: what this run can tell passes, but it cannot tell " +
                      untold(table.scorecard) + ".";
   answer.limit = limit_words(score.reason);
-  if (straddles) {
-    answer.verdict = "Undecided: the pass mark lies within that interval. " + answer.verdict;
-    answer.need = deciding_words(result, answer);
+  if (open) {
+    answer.verdict = "Undecided: the interval of " + words_of(open->metric) +
+                     " holds the pass mark. " + answer.verdict;
+    answer.need = deciding_words(result, table, site.index, *open);
   } else if (!so_far) {
     answer.need = need_words(table, site);
   }

@@ -32,8 +32,6 @@ std::vector<StationEase> station_eases(const CaseGarment& garment,
 /// The one with the least ease; nothing where none is known.
 std::optional<StationEase> least_cut_ease(const std::vector<StationEase>& stations);
 
-/// Ease from which on a garment is meant to be loose [–].
-inline constexpr double kLooseEase = 0.05;
 /// Share of the asked ease below which a station counts as not cut as asked [–]: 15 % that come out
 /// as less than 10 %.
 inline constexpr double kCutShare = 2.0 / 3.0;

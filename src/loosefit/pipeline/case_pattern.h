@@ -12,6 +12,9 @@
 
 namespace loosefit::pipeline {
 
+/// Ease from which on a garment is meant to be loose [–].
+inline constexpr double kLooseEase = 0.05;
+
 /// Stage "pattern": the flat pieces and how they fit this body.
 struct CasePattern {
   pattern::Pattern pattern;

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <variant>
 
 #include "loosefit/base/error.h"
+#include "loosefit/base/text.h"
 #include "loosefit/drape/drape_session.h"
 #include "loosefit/lines/find_course.h"
 #include "loosefit/pattern/outline.h"
@@ -186,8 +189,40 @@ SewnParts place_sewn_parts(const scenario::Scenario& scenario, const CaseBody& b
   return parts;
 }
 
+namespace {
+
+double flat_area(const garment::Board& board) {
+  return board.radius > 0 ? kPi * board.radius * board.radius : board.size.prod();
+}
+
+/// Rigid boards that reach over the rim of their piece: what is beyond is not simulated.
+void add_cut_boards(const CaseResult& result, std::vector<std::string>& warnings) {
+  constexpr double kWhole = 0.85;        // coarse triangles follow an outline that well
+  std::map<std::string, double> wanted;  // by name of the part
+  for (const garment::Attachment& part : result.scenario.attachments)
+    if (const auto* board = std::get_if<garment::Board>(&part.part))
+      wanted[part.name] = flat_area(*board);
+  for (const placement::SiteSpec& site : result.scenario.sites) {
+    if (!site.board) continue;
+    garment::Board board;
+    board.size = site.board->size.isZero() ? site.footprint.size : site.board->size;
+    if (board.size.isZero()) board.radius = site.footprint.radius;
+    wanted[site.name] = flat_area(board);
+  }
+  for (const garment::Garment::RigidBoard& board : result.studied().mesh().rigid_boards)
+    if (const auto whole = wanted.find(board.name);
+        whole != wanted.end() && board.area < kWhole * whole->second)
+      warnings.push_back(fmt::format(
+          "attachment: of the board of {} only {:.0f} % lies on its piece of the pattern: the rest "
+          "hangs on nothing here, and all of its mass hangs on that part",
+          printable(board.name), 100 * board.area / whole->second));
+}
+
+}  // namespace
+
 std::vector<std::string> moved_board_warnings(const CaseResult& result) {
   std::vector<std::string> warnings;
+  add_cut_boards(result, warnings);
   if (result.sites.empty()) return warnings;
   const placement::SitePoints points(result.body.body);
   for (const placement::SiteSpec& spec : result.scenario.sites) {

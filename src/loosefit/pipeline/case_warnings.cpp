@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -266,6 +268,30 @@ void add_certificate(Lines& all, const drape::Certificate& certificate) {
   if (!certificate.worn()) all.push_back("not worn: " + join(certificate.worn_reasons, "; "));
 }
 
+/// Boards are flattened before the cloth settles, as far as nothing is in the way.
+void add_bent_boards(Lines& all, const CaseResult& result) {
+  constexpr double kBent = radians(1.0);
+  const CaseGarment& garment = result.studied();
+  const std::vector<Vec3>& x = garment.drape.positions;
+  for (const garment::Garment::RigidBoard& board : garment.mesh().rigid_boards) {
+    std::vector<Vec3> normals;
+    Vec3 mean = Vec3::Zero();
+    for (const int t : board.triangles) {
+      const Triangle& c = garment.mesh().triangles[t];
+      normals.push_back((x[c[1]] - x[c[0]]).cross(x[c[2]] - x[c[0]]).normalized());
+      mean += normals.back();
+    }
+    double bend = 0;
+    for (const Vec3& n : normals)
+      bend = std::max(bend, std::acos(std::clamp(n.dot(mean.normalized()), -1.0, 1.0)));
+    if (bend > kBent)
+      all.push_back(
+          fmt::format("settle: the rigid board {} could not be made flat: its parts lie "
+                      "{:.1f}° askew",
+                      printable(board.name), degrees(bend)));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> state_warnings(const CaseResult& result) {
@@ -312,6 +338,7 @@ std::vector<std::string> case_warnings(const CaseResult& result) {
   for (const placement::UncoveredSite& line : result.lines_left_out)
     all.push_back("placement: line " + line.name + " is left out: " + line.why);
   add_certificate(all, result.certificate());
+  add_bent_boards(all, result);
   add(all, "settle", doubts_of_settling(result));
   add(all, "settle", result.repeats.warnings);
   add(all, "settle", alike_warnings(result.scenario));

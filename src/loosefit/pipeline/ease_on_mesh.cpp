@@ -8,7 +8,6 @@
 #include <map>
 
 #include "loosefit/geometry/flat_triangle.h"
-#include "loosefit/pipeline/case_ease.h"
 
 namespace loosefit::pipeline {
 namespace {

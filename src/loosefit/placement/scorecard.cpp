@@ -49,6 +49,19 @@ double Criterion::ramp(double value, bool* above) const {
   return std::min(below, over);
 }
 
+Outlook outlook(const Criterion& criterion, double pass, double low, double high) {
+  const bool low_passes = criterion.ramp(low) >= pass, high_passes = criterion.ramp(high) >= pass;
+  if (low_passes && high_passes) return Outlook::passes;  // those that pass are an interval
+  const auto inside = [&](const Ramp& ramp) {
+    const double mark = ramp.fail + pass * (ramp.good - ramp.fail);
+    return mark > low && mark < high;
+  };
+  return low_passes || high_passes || inside(criterion.limit) ||
+                 (criterion.upper && inside(*criterion.upper))
+             ? Outlook::open
+             : Outlook::fails;
+}
+
 Score score(const MetricValues& metrics, const Scorecard& scorecard) {
   const MetricValues all = with_derived(metrics, scorecard.parameters, scorecard.footprint);
   Score result;

@@ -32,13 +32,20 @@ struct Criterion {
   double ramp(double value, bool* above = nullptr) const;
 };
 
+/// What an interval of a metric says of a criterion.
+enum class Outlook { passes, fails, open };
+
+/// Of the values from `low` to `high` against the value that scores `pass`, on the line between
+/// fail and good of either ramp: open where the interval holds it.
+Outlook outlook(const Criterion& criterion, double pass, double low, double high);
+
 /// What one modality needs of its place (docs/theory/sensor_metrics.md 8), read by
 /// io/scorecard_file.h.
 struct Scorecard {
-  std::string name;   ///< "ecg"
-  std::string title;  ///< "ECG with dry textile electrodes"
-  std::string about;  ///< what is judged, and what is not
-  double pass = 0.5;  ///< score from which a site passes
+  std::string name;       ///< "ecg"
+  std::string title;      ///< "ECG with dry textile electrodes"
+  std::string about;      ///< what is judged, and what is not
+  double pass = 0.5;      ///< score from which a site passes
   bool of_lines = false;  ///< judges lines (LineSpec): no footprint, metrics of line_vocabulary()
   FootprintShape footprint;
   bool around = false;  ///< its axis runs around the body segment, otherwise along it

@@ -152,10 +152,12 @@ std::vector<double> StateMeter::sample_values(const maps::MapArray& array, const
   } else if (const auto* over_skin = std::get_if<maps::ReadOverSkin>(&array.read)) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const Footprint::Sample& at = patch.footprint.samples[i];
-      values[i] = (*over_skin)({samples[i].partner,
-                                 maps::smooth_distance(state_.worn.curved[at.triangle], at.barycentric,
-                                                       samples[i].partner.exact.distance),
-                                 samples[i].normal, &material_});
+      values[i] = (*over_skin)(
+          {samples[i].partner,
+           maps::smooth_distance(state_.worn.curved[at.triangle], at.barycentric,
+                                 samples[i].partner.exact.distance),
+           samples[i].normal, &material_,
+           garment_.triangle_padding.empty() ? 0.0 : garment_.triangle_padding[at.triangle]});
     }
   } else if (const auto field = fields_.find(&array); field != fields_.end()) {
     for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -18,12 +18,13 @@ inline MapDefinition gap_map() {
            // Fine where electrodes and temperature sensors live, coarse where cloth hangs free.
            .breaks = {0, 0.5, 2, 5, 10, 20, 40}},
       .meaning =
-          "From the inner face of the smooth cloth to the skin. The colour bar goes in equal steps "
+          "From the inner face of the smooth cloth, or of a board inside it, to the skin. The "
+          "colour bar goes in equal steps "
           "through 0, 0.5, 2, 5, 10, 20 and 40 mm.",
-      .formula = "max(0, distance − ½ thickness)",
+      .formula = "max(0, distance − ½ thickness − board inside)",
       .source = "docs/theory/sensor_metrics.md 4",
       .read = ReadOverSkin(
-          [](const ClothOverSkin& at) { return gap_of(at.distance, *at.material); }),
+          [](const ClothOverSkin& at) { return gap_of(at.distance - at.padding, *at.material); }),
       .in_unit = millimetres,
       .metrics = {{"gap_mm", "gap to the skin, mean of the footprint"},
                   {"gap_worst_mm", "gap to the skin, worst 5 % of the footprint",
@@ -36,12 +37,13 @@ inline MapDefinition gap_map() {
                 .map = "contact",
                 .pictured = false,
                 .companion = true},
-      .meaning = "1 where the gap of the smooth cloth is within the contact tolerance, else 0; the "
-                 "area mean is the share of the cloth that touches. What optical sensors need.",
+      .meaning =
+          "1 where the gap of the smooth cloth is within the contact tolerance, else 0; the "
+          "area mean is the share of the cloth that touches. What optical sensors need.",
       .formula = "gap ≤ max(0.5 mm, ¾ thickness)",
       .source = "docs/theory/sensor_metrics.md 4",
       .read = ReadOverSkin([](const ClothOverSkin& at) {
-        return touches(gap_of(at.distance, *at.material), *at.material) ? 1.0 : 0.0;
+        return touches(gap_of(at.distance - at.padding, *at.material), *at.material) ? 1.0 : 0.0;
       }),
       .metrics = {{"contact_ratio", "share of the footprint that touches the skin",
                    OverFootprint::mean, OverStates::least},
@@ -53,8 +55,9 @@ inline MapDefinition gap_map() {
                 .map = "pressed",
                 .pictured = false,
                 .companion = true},
-      .meaning = "1 at vertices that the skin bears with at least 0.05 kPa, else 0. What electrodes "
-                 "need: cloth that only lies near by carries no current.",
+      .meaning =
+          "1 at vertices that the skin bears with at least 0.05 kPa, else 0. What electrodes "
+          "need: cloth that only lies near by carries no current.",
       .formula = "p ≥ 0.05 kPa",
       .source = "docs/theory/sensor_metrics.md 4",
       .read = ReadField([](const MapInput& in) {
