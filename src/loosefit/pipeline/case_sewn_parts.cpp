@@ -197,6 +197,7 @@ double flat_area(const garment::Board& board) {
 
 /// Rigid boards that reach over the rim of their piece: what is beyond is not simulated.
 void add_cut_boards(const CaseResult& result, std::vector<std::string>& warnings) {
+  if (result.studied().hierarchy.levels.empty()) return;  // nothing is sewn
   constexpr double kWhole = 0.85;        // coarse triangles follow an outline that well
   std::map<std::string, double> wanted;  // by name of the part
   for (const garment::Attachment& part : result.scenario.attachments)

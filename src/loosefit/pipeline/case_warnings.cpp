@@ -270,7 +270,7 @@ void add_certificate(Lines& all, const drape::Certificate& certificate) {
 
 /// Boards are flattened before the cloth settles, as far as nothing is in the way.
 void add_bent_boards(Lines& all, const CaseResult& result) {
-  if (result.garments.empty()) return;
+  if (result.studied().hierarchy.levels.empty()) return;  // nothing is sewn
   constexpr double kBent = radians(1.0);
   const CaseGarment& garment = result.studied();
   const std::vector<Vec3>& x = garment.drape.positions;
