@@ -18,7 +18,7 @@ struct RigidPlate {
 
 /// In-plane stiffness that keeps the affine image of a board a turned one [N/m]. Cloth pulls with up
 /// to 50 N/m, so that sides change by 0.1 %, no more; a board itself has 10⁷, which would only make
-/// the matrix worse (docs/theory/solver.md, boards).
+/// the matrix worse (docs/theory/boards.md 1).
 inline constexpr double kBoardStiffness = 5e4;
 
 /// What rigid boards add to the energies of the cloth under them:
